@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of every format the framework knows, chosen by the file name's extension, and the one visible list of formats.
+//
+//     Io::Mesh mesh = Io::ReadMesh("part.vtu");
+//     Io::WriteMesh("part.vtk", mesh);
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include <solidsubdiv/kit/io/mesh.h>
+
+namespace SolidSubdiv::Io {
+
+struct WriteOptions {
+    /// Octahedra as VTK_POLYHEDRON; otherwise as four tets around the major diagonal (formats without polyhedra always).
+    bool keep_octahedra = false;
+    /// Binary form where the format has one and it is the usual one (VTU: appended zlib-compressed; STL, PLY: binary).
+    bool binary = true;
+};
+
+using MeshReader = Mesh (*)(const std::filesystem::path&);
+using MeshWriter = void (*)(const std::filesystem::path&, const Mesh&, const WriteOptions&);
+
+/// One format. `write` is null for formats that are only read.
+struct Format {
+    std::string_view extension;  ///< lower case, with the dot
+    std::string_view name;
+    MeshReader read;
+    MeshWriter write;
+    bool solids;    ///< can hold cells
+    bool surfaces;  ///< can hold faces
+};
+
+/// The list; a new format is a file in formats/ and a line in formats.cpp.
+std::span<const Format> Formats();
+
+/// The format of a file name. @throws IoError naming the file and the known extensions.
+const Format& FormatOf(const std::filesystem::path& path);
+
+/// Reads a mesh of any kind. What comes back is consistent: every index in range, every number finite, every array of
+/// its proper length. @throws IoError with one line: the file, what is wrong, where.
+Mesh ReadMesh(const std::filesystem::path& path);
+
+/// ReadMesh, and at least one cell must be there. @throws IoError
+Mesh ReadSolid(const std::filesystem::path& path);
+
+/// Writes beside the file and renames, so that no partial file is left. @throws IoError if the format can't hold the mesh.
+void WriteMesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options = {});
+
+}  // namespace SolidSubdiv::Io

@@ -2,7 +2,7 @@
 # Rooms: one static library a room, headers seen as <solidsubdiv/ROOM/...> in the tree and after installation.
 
 # The tree is seen under build/include/solidsubdiv through links, so that both spellings are one.
-set(SOLIDSUBDIV_INCLUDE_DIR ${CMAKE_BINARY_DIR}/include)
+set(SOLIDSUBDIV_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${SOLIDSUBDIV_INCLUDE_DIR}/solidsubdiv)
 foreach(top sdc vtr far osd kit apps)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${top} ${SOLIDSUBDIV_INCLUDE_DIR}/solidsubdiv/${top} SYMBOLIC)
@@ -17,18 +17,26 @@ if(SOLIDSUBDIV_SANITIZE)
 endif()
 
 # solidsubdiv_room(NAME [PUBLIC targets...] [PRIVATE targets...])
-# A room is every .cpp below the calling folder. NAME becomes SolidSubdiv::NAME.
+# A room is every .cpp below the calling folder; one without any is header-only. NAME becomes SolidSubdiv::NAME.
 function(solidsubdiv_room name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  set(target solidsubdiv_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
-  add_library(solidsubdiv_${name} STATIC ${sources})
-  add_library(SolidSubdiv::${name} ALIAS solidsubdiv_${name})
-  set_target_properties(solidsubdiv_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_compile_features(solidsubdiv_${name} PUBLIC cxx_std_20)
-  target_include_directories(solidsubdiv_${name} PUBLIC
+  if(sources)
+    set(visible PUBLIC)
+    add_library(${target} STATIC ${sources})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${target} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:solidsubdiv_flags>)
+  else()
+    set(visible INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(SolidSubdiv::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} ${visible} cxx_std_20)
+  target_include_directories(${target} ${visible}
     $<BUILD_INTERFACE:${SOLIDSUBDIV_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(solidsubdiv_${name} PUBLIC ${ARG_PUBLIC}
-    PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:solidsubdiv_flags>)
+  target_link_libraries(${target} ${visible} ${ARG_PUBLIC})
   set_property(GLOBAL APPEND PROPERTY SOLIDSUBDIV_ROOMS ${name})
   file(RELATIVE_PATH room_path ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   set_property(GLOBAL PROPERTY SOLIDSUBDIV_ROOM_PATH_${name} ${room_path})

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs every room: its headers, its library in the export set, and the package that find_package(SolidSubdiv) reads.
-option(SOLIDSUBDIV_INSTALL "Install the rooms, their headers and the CMake package" ${PROJECT_IS_TOP_LEVEL})
 if(NOT SOLIDSUBDIV_INSTALL)
   return()
 endif()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# Installs what BUILD holds to a fresh prefix below WORK, then configures, builds and runs SOURCE against it: as a
+# downstream user would, with the installed package alone. Also: what is missing is named, and how to get it.
+foreach(name BUILD SOURCE WORK CONFIG GENERATOR CXX FLAGS)
+  if(NOT DEFINED ${name})
+    message(FATAL_ERROR "downstream.cmake needs -D${name}=")
+  endif()
+endforeach()
+file(REMOVE_RECURSE ${WORK})
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config ${CONFIG}
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+set(configure ${CMAKE_COMMAND} -S ${SOURCE} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+execute_process(COMMAND ${configure} -B ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --config ${CONFIG} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build -C ${CONFIG} --verbose COMMAND_ERROR_IS_FATAL ANY)
+
+# expect_refusal(TEXT OPTIONS...): the configuration fails with TEXT in its message.
+function(expect_refusal text)
+  execute_process(COMMAND ${configure} -B ${WORK}/refused ${ARGN} RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+  file(REMOVE_RECURSE ${WORK}/refused)
+  string(REGEX REPLACE "[ \n]+" " " errors "${errors}")
+  string(FIND "${errors}" "${text}" place)
+  if(status EQUAL 0 OR place EQUAL -1)
+    message(FATAL_ERROR "with ${ARGN} the package must be refused with '${text}'; status ${status}, it said: ${errors}")
+  endif()
+endfunction()
+expect_refusal("there is no room 'attic' here" -Drooms=attic)
+expect_refusal("the room 'io' needs pugixml, which was not found (Debian: libpugixml-dev)"
+               -Drooms=io -DCMAKE_DISABLE_FIND_PACKAGE_pugixml=ON)

@@ -1,0 +1,430 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Makes bunny_lattice.vtu: a coarse tetrahedral control lattice whose Loop boundary surface is the Stanford bunny.
+
+    /usr/bin/python3 make_bunny_lattice.py bunny.obj bunny_lattice.vtu
+
+Needs numpy, scipy (Debian: python3-numpy python3-scipy) and the program tetgen on the PATH. Steps:
+  1. decimate the scan by quadric edge collapse, with a bound on edge length and valence;
+  2. even it out: edge flips towards valence 6, tangential smoothing, projection back to the scan;
+  3. move the control points so that the Loop limit surface fits the scan (least squares, alternating with closest points),
+     then by fixed point so that every control vertex's own limit position comes to lie on the scan;
+  4. fill the fitted surface with tets (tetgen, the surface kept as it is), then move interior vertices for better shape;
+  5. add the point attribute `density` (1 in the skin, 3 deep inside) and write ASCII VTU.
+"""
+import heapq
+import os
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+import scipy.sparse as sp
+import scipy.sparse.linalg as spla
+from scipy.spatial import cKDTree
+
+BOUNDARY_VERTICES = 520
+LONGEST_EDGE = 1.9  # the bunny is about 10 units across
+INTERIOR_VOLUME = 1.1  # largest tet asked of tetgen
+
+
+# ---------------------------------------------------------------- files
+
+def read_obj(path):
+    vertices, triangles = [], []
+    for line in open(path):
+        words = line.split()
+        if words and words[0] == "v":
+            vertices.append([float(w) for w in words[1:4]])
+        elif words and words[0] == "f":
+            triangles.append([int(w.split("/")[0]) - 1 for w in words[1:4]])
+    return np.array(vertices), np.array(triangles)
+
+
+def write_vtu(path, points, tets, attributes):
+    def array(name, kind, values, width, text):
+        rows = np.asarray(values).reshape(len(values), -1)
+        lines = "\n".join(" ".join(text % x for x in row) for row in rows)
+        components = f' NumberOfComponents="{width}"' if width > 1 else ""
+        return f'<DataArray type="{kind}" Name="{name}"{components} format="ascii">\n{lines}\n</DataArray>\n'
+
+    with open(path, "w") as out:
+        out.write('<?xml version="1.0"?>\n<!-- The Stanford bunny (Stanford University Computer Graphics Laboratory) as a '
+                  'control lattice; see README.md beside this file. -->\n'
+                  '<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">\n<UnstructuredGrid>\n'
+                  f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(tets)}">\n<PointData>\n')
+        for name, values in attributes.items():
+            out.write(array(name, "Float64", values, 1, "%.4f"))
+        out.write("</PointData>\n<Points>\n" + array("Points", "Float64", points, 3, "%.5f") + "</Points>\n<Cells>\n")
+        out.write(array("connectivity", "Int64", tets, 1, "%d"))
+        per_line = [" ".join(str(4 * (i + 1)) for i in range(s, min(s + 12, len(tets)))) for s in range(0, len(tets), 12)]
+        out.write('<DataArray type="Int64" Name="offsets" format="ascii">\n' + "\n".join(per_line) + "\n</DataArray>\n")
+        per_line = [" ".join(["10"] * (min(s + 40, len(tets)) - s)) for s in range(0, len(tets), 40)]
+        out.write('<DataArray type="UInt8" Name="types" format="ascii">\n' + "\n".join(per_line) + "\n</DataArray>\n")
+        out.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+
+
+# ---------------------------------------------------------------- the scan as a target
+
+def closest_on_triangles(p, a, b, c):
+    """Closest point to p on triangle (a, b, c), row by row."""
+    ab, ac, ap = b - a, c - a, p - a
+    dot = lambda u, v: np.einsum("ij,ij->i", u, v)
+    d1, d2, d11, d12, d22 = dot(ab, ap), dot(ac, ap), dot(ab, ab), dot(ab, ac), dot(ac, ac)
+    det = d11 * d22 - d12 * d12
+    v, w = (d22 * d1 - d12 * d2) / det, (d11 * d2 - d12 * d1) / det
+    best = a + v[:, None] * ab + w[:, None] * ac
+    inside = (v >= 0) & (w >= 0) & (v + w <= 1)
+    distance = np.where(inside, dot(p - best, p - best), np.inf)
+    for s, e in ((a, b), (b, c), (c, a)):
+        t = np.clip(dot(p - s, e - s) / dot(e - s, e - s), 0, 1)
+        q = s + t[:, None] * (e - s)
+        d = dot(p - q, p - q)
+        best[d < distance] = q[d < distance]
+        distance = np.minimum(distance, d)
+    return best, distance
+
+
+class Surface:
+    """A triangle mesh that answers closest-point queries; normals choose between the two sides of thin parts (ears)."""
+
+    def __init__(self, vertices, triangles):
+        self.v, self.t = vertices, triangles
+        n = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]], vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
+        self.n = n / np.linalg.norm(n, axis=1)[:, None]
+        self.tree = cKDTree(vertices[triangles].mean(1))
+
+    def closest(self, points, normals=None, k=40):
+        _, near = self.tree.query(points, k=k)
+        best, best_d = np.zeros_like(points), np.full(len(points), np.inf)
+        for j in range(k):
+            t = self.t[near[:, j]]
+            q, d = closest_on_triangles(points, self.v[t[:, 0]], self.v[t[:, 1]], self.v[t[:, 2]])
+            if normals is not None:  # the far side of an ear is not a candidate
+                d = np.where(np.einsum("ij,ij->i", self.n[near[:, j]], normals) < 0.2, d + 1e3, d)
+            best[d < best_d] = q[d < best_d]
+            best_d = np.minimum(best_d, d)
+        return best
+
+
+def vertex_normals(v, t):
+    face = np.cross(v[t[:, 1]] - v[t[:, 0]], v[t[:, 2]] - v[t[:, 0]])
+    n = np.zeros_like(v)
+    for i in range(3):
+        np.add.at(n, t[:, i], face)
+    return n / np.linalg.norm(n, axis=1)[:, None]
+
+
+# ---------------------------------------------------------------- 1: decimation
+
+class Triangles:
+    """Editable triangle mesh: faces by number, and the faces around each vertex."""
+
+    def __init__(self, v, t):
+        self.p = [np.array(x) for x in v]
+        self.f = {i: tuple(map(int, x)) for i, x in enumerate(t)}
+        self.around = [set() for _ in v]
+        for i, face in self.f.items():
+            for x in face:
+                self.around[x].add(i)
+
+    def ring(self, v):
+        return {x for f in self.around[v] for x in self.f[f]} - {v}
+
+    def normal(self, face, moved=None, to=None):
+        a, b, c = (to if x in (moved or ()) else self.p[x] for x in face)
+        return np.cross(b - a, c - a)
+
+    def arrays(self):
+        used = sorted({x for face in self.f.values() for x in face})
+        new = {x: i for i, x in enumerate(used)}
+        return np.array([self.p[x] for x in used]), np.array([[new[x] for x in self.f[i]] for i in sorted(self.f)])
+
+
+def decimate(v, t, target):
+    mesh = Triangles(v, t)
+    quadric = [np.zeros((4, 4)) for _ in v]
+    for face in mesh.f.values():
+        n = mesh.normal(face)
+        area = np.linalg.norm(n)
+        plane = np.append(n / area, -np.dot(n / area, mesh.p[face[0]]))
+        for x in face:
+            quadric[x] += area * np.outer(plane, plane)
+    for i, p in enumerate(mesh.p):  # a little pull to the old place keeps flat parts evenly sampled
+        pull = np.eye(4)
+        pull[:3, 3] = pull[3, :3] = -p
+        pull[3, 3] = p @ p
+        quadric[i] += 2e-3 * pull
+
+    def plan(a, b):
+        q = quadric[a] + quadric[b]
+        x = np.linalg.solve(q[:3, :3], -q[:3, 3])
+        h = np.append(x, 1)
+        return max(0.0, h @ q @ h) + 2e-3 * np.sum((mesh.p[a] - mesh.p[b]) ** 2), x
+
+    def allowed(a, b, x):
+        ring_a, ring_b = mesh.ring(a), mesh.ring(b)
+        if len(ring_a & ring_b) != 2 or len(ring_a | ring_b) - 2 > 8:
+            return False  # not manifold afterwards, or a vertex of valence over 8
+        if any(len(mesh.ring(c)) <= 4 for c in ring_a & ring_b):
+            return False  # would leave a vertex of valence 3
+        if max(np.linalg.norm(mesh.p[r] - x) for r in (ring_a | ring_b) - {a, b}) > LONGEST_EDGE:
+            return False
+        for f in mesh.around[a] ^ mesh.around[b]:
+            old, new = mesh.normal(mesh.f[f]), mesh.normal(mesh.f[f], (a, b), x)
+            if old @ new < 0.3 * np.linalg.norm(old) * np.linalg.norm(new):
+                return False
+        return True
+
+    version = [0] * len(v)
+    heap = []
+    def push(a, b):
+        heapq.heappush(heap, (plan(a, b)[0], a, b, version[a], version[b]))
+    for a in range(len(v)):
+        for b in mesh.ring(a):
+            if a < b:
+                push(a, b)
+    count = len(v)
+    while count > target and heap:
+        _, a, b, va, vb = heapq.heappop(heap)
+        if version[a] != va or version[b] != vb or not mesh.around[a] or not mesh.around[b]:
+            continue
+        x = plan(a, b)[1]
+        if not allowed(a, b, x):
+            continue
+        for f in list(mesh.around[a] & mesh.around[b]):
+            for w in mesh.f.pop(f):
+                mesh.around[w].discard(f)
+        for f in mesh.around[b]:
+            mesh.f[f] = tuple(a if w == b else w for w in mesh.f[f])
+            mesh.around[a].add(f)
+        mesh.around[b] = set()
+        mesh.p[a] = x
+        quadric[a] = quadric[a] + quadric[b]
+        version[a] += 1
+        count -= 1
+        for w in mesh.ring(a):
+            push(min(a, w), max(a, w))
+    return mesh.arrays()
+
+
+# ---------------------------------------------------------------- 2: evening out
+
+def flip_edges(v, t):
+    """Flips edges where that brings valences nearer to 6 or makes flat pairs Delaunay, and hardly changes the shape."""
+    mesh = Triangles(v, t)
+    edges = sorted({tuple(sorted((f[i], f[(i + 1) % 3]))) for f in mesh.f.values() for i in range(3)})
+    flips = 0
+    for a, b in edges:
+        both = mesh.around[a] & mesh.around[b]
+        if len(both) != 2:
+            continue
+        f, g = sorted(both)
+        while set(mesh.f[f][:2]) != {a, b}:
+            mesh.f[f] = mesh.f[f][1:] + mesh.f[f][:1]
+        a, b, c = mesh.f[f]
+        d = next(x for x in mesh.f[g] if x not in (a, b))
+        if d in mesh.ring(c):
+            continue
+        size = {x: len(mesh.ring(x)) for x in (a, b, c, d)}
+        if size[a] <= 4 or size[b] <= 4:
+            continue
+        score = lambda s: sum((s[x] - 6) ** 2 for x in s)
+        after = {a: size[a] - 1, b: size[b] - 1, c: size[c] + 1, d: size[d] + 1}
+        n1, n2 = mesh.normal((c, a, d)), mesh.normal((c, d, b))
+        o1, o2 = mesh.normal(mesh.f[f]), mesh.normal(mesh.f[g])
+        unit = lambda n: n / (np.linalg.norm(n) + 1e-30)
+        if unit(o1) @ unit(o2) < 0.8 or min(unit(n) @ unit(o1 + o2) for n in (n1, n2)) < 0.8:
+            continue  # an edge that carries shape stays
+        ratio = np.linalg.norm(mesh.p[c] - mesh.p[d]) / np.linalg.norm(mesh.p[a] - mesh.p[b])
+        if score(after) + 4 * (ratio - 1) >= score(size):
+            continue
+        mesh.f[f], mesh.f[g] = (c, a, d), (c, d, b)
+        mesh.around[a].discard(g), mesh.around[b].discard(f)
+        mesh.around[c].add(g), mesh.around[d].add(f)
+        flips += 1
+    return mesh.arrays()[1], flips
+
+
+def relax(v, t, surface, amount=0.5):
+    edges = np.vstack([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
+    mean, count = np.zeros_like(v), np.zeros(len(v))
+    np.add.at(mean, edges[:, 0], v[edges[:, 1]])
+    np.add.at(count, edges[:, 0], 1)
+    n = vertex_normals(v, t)
+    step = mean / count[:, None] - v
+    step -= np.einsum("ij,ij->i", step, n)[:, None] * n
+    return surface.closest(v + amount * step, n)
+
+
+# ---------------------------------------------------------------- 3: Loop surface and its fit
+
+def loop_matrix(n, t):
+    """One step of Loop subdivision of a closed mesh as a sparse matrix, and the new triangles."""
+    edge = {}
+    opposite = {}
+    for f in t:
+        for i in range(3):
+            key = tuple(sorted((f[i], f[(i + 1) % 3])))
+            edge.setdefault(key, n + len(edge))
+            opposite.setdefault(key, []).append(f[(i + 2) % 3])
+    ring = [[] for _ in range(n)]
+    for a, b in edge:
+        ring[a].append(b)
+        ring[b].append(a)
+    rows = []
+    for i in range(n):
+        k = len(ring[i])
+        beta = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / k) / 4) ** 2) / k
+        rows += [(i, i, 1 - k * beta)] + [(i, j, beta) for j in ring[i]]
+    for (a, b), e in edge.items():
+        rows += [(e, a, 3 / 8), (e, b, 3 / 8)] + [(e, c, 1 / 8) for c in opposite[(a, b)]]
+    i, j, w = zip(*rows)
+    new = []
+    for f in t:
+        m = [edge[tuple(sorted((f[i], f[(i + 1) % 3])))] for i in range(3)]
+        new += [(f[0], m[0], m[2]), (m[0], f[1], m[1]), (m[2], m[1], f[2]), (m[0], m[1], m[2])]
+    return sp.csr_matrix((w, (i, j)), (n + len(edge), n)), np.array(new)
+
+
+def limit_matrix(n, t):
+    edges = np.unique(np.sort(np.vstack([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]), axis=1), axis=0)
+    a = sp.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), (n, n))
+    a = (a + a.T).tocsr()
+    k = np.asarray(a.sum(1)).ravel()
+    beta = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / k) / 4) ** 2) / k
+    chi = 1 / (3 / (8 * beta) + k)
+    return (sp.diags(1 - k * chi) + sp.diags(chi) @ a).tocsr(), edges
+
+
+def fit(v, t, surface, smoothness):
+    """Control points whose limit surface, sampled at level 2, is nearest to the scan."""
+    limit, edges = limit_matrix(len(v), t)
+    sample, fine = sp.identity(len(v), format="csr"), t
+    for _ in range(2):
+        step, fine = loop_matrix(sample.shape[0], fine)
+        sample = step @ sample
+    sample = limit_matrix(sample.shape[0], fine)[0] @ sample
+    adjacency = sp.coo_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), (len(v), len(v)))
+    adjacency = (adjacency + adjacency.T).tocsr()
+    laplacian = sp.diags(1 / np.asarray(adjacency.sum(1)).ravel()) @ adjacency - sp.identity(len(v))
+    thin_plate = laplacian.T @ laplacian
+    control = v.copy()
+    for _ in range(12):
+        points = sample @ control
+        target = surface.closest(points, vertex_normals(points, fine))
+        a = sample.T @ sample + smoothness * thin_plate
+        control = spla.splu(a.tocsc()).solve(sample.T @ target)
+    return control, limit, sample, fine
+
+
+# ---------------------------------------------------------------- 4: tets
+
+def fill(points, triangles, interior_volume):
+    with tempfile.TemporaryDirectory() as folder:
+        base = os.path.join(folder, "bunny")
+        with open(base + ".poly", "w") as out:
+            out.write(f"{len(points)} 3 0 0\n" + "".join(f"{i} {p[0]:.17g} {p[1]:.17g} {p[2]:.17g}\n" for i, p in enumerate(points)))
+            out.write(f"{len(triangles)} 0\n" + "".join(f"1\n3 {f[0]} {f[1]} {f[2]}\n" for f in triangles) + "0\n0\n")
+        subprocess.run(["tetgen", f"-pYq1.4/10a{interior_volume}Q", base + ".poly"], check=True)
+        node = [line.split() for line in open(base + ".1.node") if not line.startswith("#")]
+        ele = [line.split() for line in open(base + ".1.ele") if not line.startswith("#")]
+    new_points = np.array([[float(w) for w in row[1:4]] for row in node[1:] if row])
+    tets = np.array([[int(w) for w in row[1:5]] for row in ele[1:] if row])
+    return new_points, tets
+
+
+def volumes(p, t):
+    return np.linalg.det(p[t[:, 1:]] - p[t[:, :1]]) / 6
+
+
+def shape(p, t):
+    """Mean-ratio quality of tets: 1 for the regular one, 0 for a flat one, negative if inverted."""
+    squares = sum(np.sum((p[t[:, i]] - p[t[:, j]]) ** 2, axis=1) for i in range(4) for j in range(i))
+    volume = volumes(p, t)
+    return np.sign(volume) * 12 * (3 * np.abs(volume)) ** (2 / 3) / squares
+
+
+def improve_interior(p, t, n_fixed):
+    """Moves each interior vertex to the best of a few places, by the worst shape of its tets. Fixed pseudo-random steps."""
+    rng = np.random.default_rng(1)
+    around = [np.nonzero((t == v).any(1))[0] for v in range(len(p))]
+    neighbours = [np.setdiff1d(np.unique(t[a]), [v]) for v, a in enumerate(around)]
+    for round_ in range(60):
+        radius = 0.3 * 0.93 ** round_
+        for v in range(n_fixed, len(p)):
+            worst = np.sort(shape(p, t[around[v]]))[:3].mean()
+            old = p[v].copy()
+            centre = p[neighbours[v]].mean(0)
+            for candidate in [old + 0.3 * (centre - old)] + list(old + radius * rng.standard_normal((4, 3))):
+                before = p[v].copy()
+                p[v] = candidate
+                new = np.sort(shape(p, t[around[v]]))[:3].mean()
+                if new > worst:
+                    worst = new
+                else:
+                    p[v] = before
+    return p
+
+
+def check(points, tets, n_boundary):
+    assert (volumes(points, tets) > 0).all()
+    faces = {}
+    for tet in tets:
+        for i in range(4):
+            key = tuple(sorted(np.delete(tet, i)))
+            faces[key] = faces.get(key, 0) + 1
+    boundary = [f for f, n in faces.items() if n == 1]
+    edges = {}
+    for f in boundary:
+        for i in range(3):
+            key = (f[i - 1], f[i]) if f[i - 1] < f[i] else (f[i], f[i - 1])
+            edges[key] = edges.get(key, 0) + 1
+    assert set(edges.values()) == {2}, "the boundary is not a manifold"
+    on_boundary = {x for f in boundary for x in f}
+    assert on_boundary == set(range(n_boundary))
+    assert len(on_boundary) - len(edges) + len(boundary) == 2, "the boundary is not one sphere"
+    return len(boundary)
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: make_bunny_lattice.py bunny.obj bunny_lattice.vtu")
+    source, target = sys.argv[1], sys.argv[2]
+    v0, t0 = read_obj(source)
+    scan = Surface(v0, t0)
+    v, t = decimate(v0, t0, BOUNDARY_VERTICES)
+    for _ in range(10):
+        t, flips = flip_edges(v, t)
+        v = relax(v, t, scan)
+    print(f"control surface: {len(v)} vertices, {len(t)} triangles, valences",
+          np.bincount(np.bincount(t.ravel(), minlength=len(v))).tolist())
+
+    control, limit, sample, fine = fit(v, t, scan, 0.05)
+    for _ in range(4):  # the control vertices' own limit positions onto the scan
+        points = limit @ control
+        control += scan.closest(points, vertex_normals(points, t)) - points
+    points = sample @ control
+    distance = np.linalg.norm(scan.closest(points) - points, axis=1)
+    print(f"limit surface to scan: mean {distance.mean():.4f}, largest {distance.max():.4f}")
+    points = limit @ control
+    distance = np.linalg.norm(scan.closest(points) - points, axis=1)
+    print(f"limits of control vertices to scan: mean {distance.mean():.5f}, largest {distance.max():.5f}")
+    control = np.round(control, 5)
+
+    points, tets = fill(control, t, INTERIOR_VOLUME)
+    if volumes(points, tets).mean() < 0:
+        tets = tets[:, [0, 1, 3, 2]]
+    points = np.round(improve_interior(points, tets, len(control)), 5)
+    assert np.array_equal(points[: len(control)], control), "tetgen moved the boundary"
+    n_faces = check(points, tets, len(control))
+    depth = np.linalg.norm(Surface(control, t).closest(points, k=60) - points, axis=1)
+    density = 1 + 2 * np.clip(depth / depth.max(), 0, 1) ** 0.75
+    quality = shape(points, tets)
+    print(f"lattice: {len(points)} control points ({len(control)} on the boundary), {len(tets)} tets, {n_faces} boundary faces, "
+          f"volume {volumes(points, tets).sum():.2f}, shape min {quality.min():.3f} mean {quality.mean():.3f}")
+    write_vtu(target, points, tets, {"density": density})
+
+
+if __name__ == "__main__":
+    main()

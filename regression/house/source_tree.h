@@ -11,19 +11,23 @@
 
 namespace SolidSubdiv::House {
 
+struct Include {
+    std::string path;
+    bool is_quoted;
+};
+
 struct SourceFile {
     std::string path;  ///< relative to the tree's top, with '/'
     std::vector<std::string> lines;
 
     bool IsCpp() const { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
-    /// What stands between <> or "" in its include lines.
-    std::vector<std::string> Includes() const {
-        static const std::regex include_line(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
-        std::vector<std::string> includes;
+    std::vector<Include> Includes() const {
+        static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+        std::vector<Include> includes;
         std::smatch match;
         for (const std::string& line : lines) {
-            if (std::regex_match(line, match, include_line)) includes.push_back(match[1]);
+            if (std::regex_match(line, match, include_line)) includes.push_back({match[2], match[1] == "\""});
         }
         return includes;
     }

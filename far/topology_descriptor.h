@@ -22,14 +22,15 @@ namespace SolidSubdiv::Far {
 struct TopologyDescriptor {
     Index n_vertices = 0;
 
-    std::span<const Index> tets{};      ///< (n, 4). The octahedron inside a tet gets the diagonal mid(v0 v1) - mid(v2 v3).
-    std::span<const Index> octs{};      ///< (n, 6): three pairs of opposite vertices, the first pair the major diagonal.
-    std::span<const Index> hexes{};     ///< (n, 8)
+    std::span<const Index> tets{};   ///< (n, 4). The octahedron inside a tet gets the diagonal mid(v0 v1) - mid(v2 v3).
+    std::span<const Index> octs{};   ///< (n, 6): three pairs of opposite vertices, the first pair the major diagonal.
+    std::span<const Index> hexes{};  ///< (n, 8)
     std::span<const Index> wedges{};    ///< (n, 6)
     std::span<const Index> pyramids{};  ///< (n, 5)
 
-    /// General cells: cell c has the faces [polyhedron_offsets[c], polyhedron_offsets[c + 1]), face f of them the vertices
-    /// polyhedron_vertices[polyhedron_face_offsets[f], polyhedron_face_offsets[f + 1]), seen counterclockwise from outside.
+    /// General cells: cell c has the faces [polyhedron_offsets[c], polyhedron_offsets[c + 1]), face f of them the
+    /// vertices polyhedron_vertices[polyhedron_face_offsets[f], polyhedron_face_offsets[f + 1]), seen counterclockwise
+    /// from outside.
     std::span<const Offset> polyhedron_offsets{};       ///< (n + 1) or empty
     std::span<const Offset> polyhedron_face_offsets{};  ///< (number of faces + 1) or empty
     std::span<const Index> polyhedron_vertices{};
@@ -45,30 +46,31 @@ struct TopologyDescriptor {
 
 /// What may be wrong with a mesh. Those marked fatal make it unusable; the others are followed by rule and reported.
 enum class DefectCode {
-    IndexOutOfRange,      ///< fatal: an element names a vertex that is not there
-    RepeatedVertex,       ///< fatal: an element names a vertex twice
-    DuplicateElement,     ///< fatal: two elements of one kind have the same vertices
-    FaceInThreeCells,     ///< fatal: a face bounds more than two cells
-    BadOffsets,           ///< fatal: an offset array or an array's length does not fit its kind
-    InvertedCell,         ///< a cell whose orientation disagrees with its neighbour's
-    NonManifoldEdge,      ///< an edge with a number of surface faces other than 0, 1 or 2, or in cells that do not form a fan
-    NonManifoldVertex,    ///< a vertex around which the complex is neither a ball, a half ball nor a surface or curve
-    IsolatedVertex,       ///< a vertex in no element
-    CoincidentElement     ///< a lower-dimensional element on a part of a higher one: a tag
+    IndexOutOfRange,    ///< fatal: an element names a vertex that is not there
+    RepeatedVertex,     ///< fatal: an element names a vertex twice
+    DuplicateElement,   ///< fatal: two elements of one kind have the same vertices
+    FaceInThreeCells,   ///< fatal: a face bounds more than two cells
+    BadOffsets,         ///< fatal: an offset array or an array's length does not fit its kind
+    InvertedCell,       ///< a cell whose orientation disagrees with its neighbour's
+    NonManifoldEdge,    ///< an edge with a number of surface faces other than 0, 1 or 2, or in cells that do not form a
+                        ///< fan
+    NonManifoldVertex,  ///< a vertex around which the complex is neither a ball, a half ball nor a surface or curve
+    IsolatedVertex,     ///< a vertex in no element
+    CoincidentElement   ///< a lower-dimensional element on a part of a higher one: a tag
 };
 
 /// One imperfection: what, where, how much. `element` counts within the kind that the code speaks of.
 struct Defect {
     DefectCode code;
     Index element = kNoIndex;
-    double measure = 0;   ///< a size in the code's own unit (a number of cells, a volume), or 0
-    std::string text{};   ///< one line for people
+    double measure = 0;  ///< a size in the code's own unit (a number of cells, a volume), or 0
+    std::string text{};  ///< one line for people
 
     bool IsFatal() const { return code <= DefectCode::BadOffsets; }
 };
 
-/// Everything that is wrong with a complex of tets, octs, triangles and edges, fatal defects first; of each code at most
-/// max_per_code. Cost: a sort of all faces and edges.
+/// Everything that is wrong with a complex of tets, octs, triangles and edges, fatal defects first; of each code at
+/// most max_per_code. Cost: a sort of all faces and edges.
 std::vector<Defect> Validate(const TopologyDescriptor& descriptor, Index max_per_code = 100);
 
 }  // namespace SolidSubdiv::Far

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of one refinement under one scheme: for each child vertex, which parent vertices with which weights.
+//
+// This is where a scheme's weights meet the neighbourhoods that Vtr knows. Everything that refines values (stencil
+// tables, PrimvarRefiner, limits) asks here, so a rule stands once.
+#pragma once
+
+#include <cassert>
+
+#include <solidsubdiv/sdc/masks.h>
+#include <solidsubdiv/vtr/level.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+using Vtr::Level;
+using Vtr::Rule;
+using Vtr::Tag;
+
+template <class Scheme>
+class Rows {
+  public:
+    Rows(const Level& parent, const Scheme& scheme)
+        : level_(parent), scheme_(scheme), surface_(scheme.surface()), curve_(scheme.curve()) {
+        assert(parent.is_full);
+        if constexpr (Scheme::kSolids) footprint_ = scheme.footprint();
+    }
+
+    static constexpr int kOctLength = 6;
+
+    /// Number of entries of the row of the point at vertex v, on edge e.
+    int VertexLength(Index v) const {
+        int n = 1;
+        VisitVertex(
+            v, [&](Index) { ++n; }, [&](Index) { ++n; });
+        return n;
+    }
+    int EdgeLength(Index e) const {
+        int n = 2;
+        VisitEdge(
+            e, [&](Index) { ++n; }, [&](Index) { ++n; }, [](int) {});
+        return n;
+    }
+
+    /// Fill rows of those lengths: the parent vertex or vertices first, then neighbours.
+    template <class Real>
+    void FillVertex(Index v, Index* indices, Real* weights) const {
+        int n = 1, n_edges = 0;
+        VisitVertex(
+            v,
+            [&](Index neighbor) {
+                indices[n++] = neighbor;
+                ++n_edges;
+            },
+            [&](Index opposite) { indices[n++] = opposite; });
+        const int n_octs = n - 1 - n_edges;
+        indices[0] = v;
+        double self = 1, edge = 0, oct = 0;
+        if (n > 1) {
+            switch (level_.vertex_tags[v].rule()) {
+                case Rule::Solid:
+                    if constexpr (Scheme::kSolids) {
+                        const Sdc::VertexWeights w = scheme_.Vertex({n_edges, n_octs});
+                        self = w.self, edge = w.edge, oct = w.oct;
+                    }
+                    break;
+                case Rule::Surface: {
+                    const Sdc::RingWeights w = surface_.Vertex(n_edges);
+                    self = w.self, edge = w.neighbor;
+                    break;
+                }
+                default: {
+                    const Sdc::RingWeights w = curve_.Vertex();
+                    self = w.self, edge = w.neighbor;
+                }
+            }
+        }
+        weights[0] = static_cast<Real>(self);
+        for (int i = 1; i <= n_edges; ++i) weights[i] = static_cast<Real>(edge);
+        for (int i = n_edges + 1; i < n; ++i) weights[i] = static_cast<Real>(oct);
+    }
+
+    template <class Real>
+    void FillEdge(Index e, Index* indices, Real* weights) const {
+        int n = 2, n_faces = 0, n_octs = 0;
+        VisitEdge(
+            e,
+            [&](Index third) {
+                indices[n++] = third;
+                ++n_faces;
+            },
+            [&](Index far_vertex) { indices[n++] = far_vertex; }, [&](int octs) { n_octs = octs; });
+        const auto ends = level_.EdgeVertices(e);
+        indices[0] = ends[0];
+        indices[1] = ends[1];
+        double end = 0.5, face = 0, oct = 0;
+        switch (level_.edge_tags[e].rule()) {
+            case Rule::Solid:
+                if constexpr (Scheme::kSolids) {
+                    const Sdc::EdgeWeights w = scheme_.Edge({n_faces, n_octs, n - 2 - n_faces});
+                    end = w.end, face = w.face, oct = w.oct;
+                }
+                break;
+            case Rule::Surface: {
+                const Sdc::EdgePairWeights w = surface_.Edge();
+                end = w.end, face = w.opposite;
+                break;
+            }
+            default:
+                end = curve_.EdgeEnd();
+        }
+        weights[0] = weights[1] = static_cast<Real>(end);
+        for (int i = 2; i < 2 + n_faces; ++i) weights[i] = static_cast<Real>(face);
+        for (int i = 2 + n_faces; i < n; ++i) weights[i] = static_cast<Real>(oct);
+    }
+
+    template <class Real>
+    void FillOct(Index o, Index* indices, Real* weights) const {
+        if constexpr (Scheme::kSolids) {
+            const Sdc::OctWeights w = scheme_.Centre();
+            const auto v = level_.OctVertices(o);
+            for (int i = 0; i < kOctLength; ++i) {
+                indices[i] = v[i];
+                weights[i] = static_cast<Real>(i < 2 ? w.diagonal : w.equator);
+            }
+        }
+    }
+
+  private:
+    using Surface = decltype(std::declval<const Scheme&>().surface());
+    using Curve = decltype(std::declval<const Scheme&>().curve());
+
+    Index OtherEnd(Index e, Index v) const {
+        const auto ends = level_.EdgeVertices(e);
+        return ends[0] + ends[1] - v;
+    }
+
+    /// Calls on_edge for each neighbour of v that counts under v's rule, then on_oct for each opposite vertex in an
+    /// oct.
+    template <class OnEdge, class OnOct>
+    void VisitVertex(Index v, OnEdge&& on_edge, OnOct&& on_oct) const {
+        const Tag tag = level_.vertex_tags[v];
+        switch (tag.rule()) {
+            case Rule::Solid:
+                if constexpr (Scheme::kSolids) {
+                    if (!footprint_.vertex_ring) return;
+                    for (Index e : level_.vertex_edges[v]) {
+                        if (!tag.non_manifold() || level_.edge_tags[e].in_cell()) on_edge(OtherEnd(e, v));
+                    }
+                    VisitOctsAtVertex(v, on_oct);
+                }
+                return;
+            case Rule::Surface:
+                if (Surface::kVerticesStay) return;
+                for (Index e : level_.vertex_edges[v]) {
+                    const Tag edge = level_.edge_tags[e];
+                    const bool on_surface =
+                        tag.in_cell() ? edge.in_cell() && edge.rule() != Rule::Solid : edge.in_face();
+                    if (on_surface) on_edge(OtherEnd(e, v));
+                }
+                return;
+            case Rule::Curve:
+                if (Curve::kVerticesStay) return;
+                for (Index e : level_.vertex_edges[v]) {
+                    const Tag edge = level_.edge_tags[e];
+                    const bool in_part = (!tag.in_cell() || edge.in_cell()) && (!tag.in_face() || edge.in_face());
+                    if (in_part && edge.rule() == Rule::Curve) on_edge(OtherEnd(e, v));
+                }
+                return;
+            case Rule::Corner:
+                return;
+        }
+    }
+
+    template <class OnOct>
+    void VisitOctsAtVertex(Index v, OnOct&& on_oct) const {
+        if (footprint_.octs == Sdc::OctNeighbors::None) return;
+        const auto octs = level_.vertex_octs[v];
+        const auto locals = level_.vertex_octs.Locals(v);
+        for (std::size_t i = 0; i < octs.size(); ++i) {
+            if (footprint_.octs == Sdc::OctNeighbors::MajorDiagonal && locals[i] > 1) continue;
+            on_oct(level_.OctVertices(octs[i])[Sdc::Oct::Opposite(locals[i])]);
+        }
+    }
+
+    /// Calls on_face for each third vertex and on_oct for each vertex that octs contribute; n_octs gets how many octs.
+    template <class OnFace, class OnOct, class NOcts>
+    void VisitEdge(Index e, OnFace&& on_face, OnOct&& on_oct, NOcts&& n_octs) const {
+        const Tag tag = level_.edge_tags[e];
+        if (tag.rule() == Rule::Solid) {
+            if constexpr (Scheme::kSolids) {
+                if (!footprint_.edge_ring) return;
+                const bool all_faces = !tag.non_manifold() && !footprint_.tet_faces_only;
+                for (Index f : level_.edge_faces[e]) {
+                    if (all_faces || IsInRing(level_.face_tags[f])) on_face(level_.ThirdVertex(f, e));
+                }
+                VisitOctsAtEdge(e, on_oct, n_octs);
+            }
+        } else if (tag.rule() == Rule::Surface) {
+            if (Surface::kVerticesStay) return;
+            for (Index f : level_.edge_faces[e]) {
+                if (level_.face_tags[f].is_boundary()) on_face(level_.ThirdVertex(f, e));
+            }
+        }
+    }
+
+    bool IsInRing(Vtr::FaceTag face) const {
+        return footprint_.tet_faces_only ? face.n_tets() > 0 : face.n_cells() > 0;
+    }
+
+    template <class OnOct, class NOcts>
+    void VisitOctsAtEdge(Index e, OnOct&& on_oct, NOcts&& n_octs) const {
+        if (footprint_.octs == Sdc::OctNeighbors::None) return;
+        const bool all = footprint_.octs == Sdc::OctNeighbors::All;
+        const auto octs = level_.edge_octs[e];
+        const auto locals = level_.edge_octs.Locals(e);
+        int n = 0;
+        for (std::size_t i = 0; i < octs.size(); ++i) {
+            if (!all && locals[i] >= Sdc::Oct::kDiagonalEdges) continue;
+            const auto v = level_.OctVertices(octs[i]);
+            const auto& ends = Sdc::Oct::edges[locals[i]];  // the first of a diagonal edge is on the major diagonal
+            on_oct(v[Sdc::Oct::Opposite(ends[0])]);
+            if (all) on_oct(v[Sdc::Oct::Opposite(ends[1])]);
+            ++n;
+        }
+        n_octs(n);
+    }
+
+    const Level& level_;
+    const Scheme& scheme_;
+    Surface surface_;
+    Curve curve_;
+    Sdc::Footprint footprint_{};
+};
+
+}  // namespace SolidSubdiv::Far::Internal

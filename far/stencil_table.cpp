@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cascaded tables: count, scan, fill.
+#include <solidsubdiv/far/stencil_table.h>
+
+#include <string>
+
+#include <solidsubdiv/far/internal/compose.h>
+#include <solidsubdiv/far/internal/rows.h>
+#include <solidsubdiv/far/internal/scheme_check.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+namespace SolidSubdiv::Far {
+
+namespace {
+
+constexpr Offset kGrain = 4096;
+
+template <class Real, class Scheme>
+StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
+    const Internal::Rows<Scheme> rows(parent, scheme);
+    const Offset first_edge = parent.n_vertices, first_oct = first_edge + parent.n_edges, n = first_oct + parent.n_octs;
+
+    StencilRows<Real> table;
+    table.n_sources = parent.n_vertices;
+    table.offsets.resize(static_cast<std::size_t>(n) + 1);
+    Offset* const offsets = table.offsets.data();
+    Sdc::ParallelFor(parent.n_vertices, kGrain, [&](Offset begin, Offset end) {
+        for (Offset v = begin; v < end; ++v) offsets[v] = rows.VertexLength(static_cast<Index>(v));
+    });
+    Sdc::ParallelFor(parent.n_edges, kGrain, [&](Offset begin, Offset end) {
+        for (Offset e = begin; e < end; ++e) offsets[first_edge + e] = rows.EdgeLength(static_cast<Index>(e));
+    });
+    Sdc::ParallelFor(parent.n_octs, kGrain, [&](Offset begin, Offset end) {
+        for (Offset o = begin; o < end; ++o) offsets[first_oct + o] = rows.kOctLength;
+    });
+    const Offset n_weights = Sdc::ScanLengths(table.offsets);
+
+    table.indices.resize(static_cast<std::size_t>(n_weights));
+    table.weights.resize(static_cast<std::size_t>(n_weights));
+    Index* const indices = table.indices.data();
+    Real* const weights = table.weights.data();
+    Sdc::ParallelFor(parent.n_vertices, kGrain, [&](Offset begin, Offset end) {
+        for (Offset v = begin; v < end; ++v)
+            rows.FillVertex(static_cast<Index>(v), indices + offsets[v], weights + offsets[v]);
+    });
+    Sdc::ParallelFor(parent.n_edges, kGrain, [&](Offset begin, Offset end) {
+        for (Offset e = begin; e < end; ++e) {
+            const Offset at = offsets[first_edge + e];
+            rows.FillEdge(static_cast<Index>(e), indices + at, weights + at);
+        }
+    });
+    Sdc::ParallelFor(parent.n_octs, kGrain, [&](Offset begin, Offset end) {
+        for (Offset o = begin; o < end; ++o) {
+            const Offset at = offsets[first_oct + o];
+            rows.FillOct(static_cast<Index>(o), indices + at, weights + at);
+        }
+    });
+    return table;
+}
+
+}  // namespace
+
+template <class Real>
+StencilTableReal<Real> StencilTableReal<Real>::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                                      const StencilTableOptions& options) {
+    Internal::CheckScheme(refiner.level(0), scheme);
+    const int max_level = options.max_level < 0 ? refiner.max_level() : options.max_level;
+    if (max_level > refiner.max_level()) {
+        throw InvalidInput("stencils of level " + std::to_string(max_level) +
+                           " are asked for; the refiner's last level is " + std::to_string(refiner.max_level()));
+    }
+    StencilTableReal table;
+    table.n_control_vertices_ = refiner.level(0).n_vertices;
+    for (int i = 1; i <= max_level; ++i) {
+        Report(options.progress, "stencils", static_cast<double>(i - 1) / max_level);
+        table.levels_.push_back(
+            std::visit([&](const auto& s) { return MakeRows<Real>(refiner.level(i - 1), s); }, scheme));
+    }
+    Report(options.progress, "stencils", 1.0);
+    return table;
+}
+
+template <class Real>
+StencilTableReal<Real> StencilTableReal<Real>::CreateComposite(const TopologyRefiner& refiner,
+                                                               const Sdc::Scheme& scheme,
+                                                               std::span<const CompositeRows> requests,
+                                                               const Progress& progress) {
+    int max_level = 0;
+    for (const CompositeRows& r : requests) {
+        if (r.level < 0 || r.level > refiner.max_level()) {
+            throw InvalidInput("composite rows of level " + std::to_string(r.level) +
+                               " are asked for; levels are 0 to " + std::to_string(refiner.max_level()));
+        }
+        max_level = std::max(max_level, r.level);
+    }
+    // Products are summed in double whatever the table holds.
+    const auto cascaded = StencilTableReal<double>::Create(refiner, scheme, {.max_level = max_level});
+    StencilTableReal table;
+    table.n_control_vertices_ = refiner.level(0).n_vertices;
+    table.levels_.push_back(Internal::Compose<Real>(cascaded, requests, progress));
+    return table;
+}
+
+template <class Real>
+Offset StencilTableReal<Real>::Bytes() const {
+    Offset bytes = 0;
+    for (const auto& level : levels_) bytes += level.Bytes();
+    return bytes;
+}
+
+template <class Real>
+StencilTableReal<Real> StencilTableReal<Real>::FromRows(Index n_control_vertices,
+                                                        std::vector<StencilRows<Real>> levels) {
+    StencilTableReal table;
+    table.n_control_vertices_ = n_control_vertices;
+    table.levels_ = std::move(levels);
+    return table;
+}
+
+template class StencilTableReal<double>;
+template class StencilTableReal<float>;
+
+}  // namespace SolidSubdiv::Far

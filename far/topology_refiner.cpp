@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refinement of topology, level by level, after a check that everything fits.
+#include <solidsubdiv/far/topology_refiner.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include <solidsubdiv/far/internal/check.h>
+
+namespace SolidSubdiv::Far {
+
+namespace {
+
+constexpr Index kDefectsPerCode = 100;
+
+/// Memory of the machine, in bytes.
+Offset MachineBytes() {
+    return static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * static_cast<Offset>(sysconf(_SC_PAGESIZE));
+}
+
+void RequireIndexable(const Vtr::Counts& counts, int level, Offset bytes) {
+    constexpr Offset limit = std::numeric_limits<Index>::max();
+    if (counts.Largest() <= limit) return;
+    throw InvalidInput("level " + std::to_string(level) + " would have " + std::to_string(counts.n_cells()) +
+                       " cells and " + std::to_string(counts.Largest()) + " components of one kind, more than the " +
+                       std::to_string(limit) + " that indices count, in " + BytesText(bytes) + " (" +
+                       std::to_string(bytes) + " bytes); refine fewer times");
+}
+
+}  // namespace
+
+std::string BytesText(Offset bytes) {
+    const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+    double value = static_cast<double>(bytes);
+    int unit = 0;
+    while (value >= 1024 && unit < 6) {
+        value /= 1024;
+        ++unit;
+    }
+    char text[48];
+    std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", value, units[unit]);
+    return text;
+}
+
+void UniformRefinementOptions::Validate() const {
+    if (max_level < 0 || max_level > 20) {
+        throw InvalidInput("max_level is " + std::to_string(max_level) + "; it must be 0 to 20");
+    }
+    if (max_bytes < 0) throw InvalidInput("max_bytes is negative");
+}
+
+TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sdc::Split split) {
+    const std::string others = Internal::KindsBeyondTetOct(descriptor);
+    if (!others.empty()) {
+        throw InvalidInput("the mesh has " + others + "; the tet/oct split takes tets, octs, triangles and edges only");
+    }
+    // Faces of cells are listed with their sides before they are unique: that list must be indexable.
+    const Offset sides = static_cast<Offset>(descriptor.tets.size()) +
+                         8 * static_cast<Offset>(descriptor.octs.size() / 6) +
+                         static_cast<Offset>(descriptor.triangles.size() / 3);
+    if (3 * sides > std::numeric_limits<Index>::max()) {
+        throw InvalidInput("the mesh has " + std::to_string(sides) + " sides of cells; level 0 takes at most " +
+                           std::to_string(std::numeric_limits<Index>::max() / 3));
+    }
+    Internal::DefectList defects(kDefectsPerCode);
+    Internal::CheckElements(descriptor, defects);
+
+    TopologyRefiner refiner;
+    refiner.split_ = split;
+    if (!defects.has_fatal()) {
+        Vtr::BaseFindings findings;
+        refiner.levels_.push_back(Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings));
+        Internal::AddFindings(refiner.levels_[0], findings, defects);
+    }
+    refiner.defects_ = defects.TakeFatalFirst();
+    if (defects.has_fatal()) throw InvalidInput(refiner.defects_.front().text);
+    return refiner;
+}
+
+Vtr::Counts TopologyRefiner::CountsAt(int level) const {
+    Vtr::Counts counts = Vtr::CountsOf(levels_[0]);
+    for (int i = 0; i < level; ++i) counts = Vtr::Refine(counts);
+    return counts;
+}
+
+void TopologyRefiner::RefineUniform(const UniformRefinementOptions& options) {
+    options.Validate();
+    Offset bytes = levels_[0].Bytes();
+    Vtr::Counts counts = Vtr::CountsOf(levels_[0]);
+    const Offset max_bytes = options.max_bytes > 0 ? options.max_bytes : MachineBytes();
+    for (int i = 1; i <= options.max_level; ++i) {
+        counts = Vtr::Refine(counts);
+        bytes += Vtr::EstimateBytes(counts, i < options.max_level || options.full_topology_in_last_level);
+        RequireIndexable(counts, i, bytes);
+    }
+    if (bytes > max_bytes) {
+        throw InvalidInput("refining to level " + std::to_string(options.max_level) + " makes " +
+                           std::to_string(counts.n_cells()) + " cells and needs " + BytesText(bytes) + " (" +
+                           std::to_string(bytes) + " bytes), more than the " + BytesText(max_bytes) +
+                           " allowed; refine fewer times");
+    }
+
+    levels_.resize(1);
+    levels_.reserve(static_cast<std::size_t>(options.max_level) + 1);
+    const Offset all_cells = std::max<Offset>(1, counts.n_cells() + counts.n_boundary_faces);
+    for (int i = 1; i <= options.max_level; ++i) {
+        const double done = static_cast<double>(CountsAt(i - 1).n_cells() + CountsAt(i - 1).n_boundary_faces);
+        Report(options.progress, "refine topology", i == 1 ? 0.0 : done / static_cast<double>(all_cells));
+        levels_.push_back(Vtr::Refine(levels_.back(), i < options.max_level || options.full_topology_in_last_level));
+    }
+    Report(options.progress, "refine topology", 1.0);
+}
+
+Offset TopologyRefiner::Bytes() const {
+    Offset bytes = 0;
+    for (const Level& level : levels_) bytes += level.Bytes();
+    return bytes;
+}
+
+}  // namespace SolidSubdiv::Far

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refines the topology of a complex, once; values are refined later, as often as needed, by tables made from it.
+//
+//     auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
+//     refiner.RefineUniform({.max_level = 3});
+//     refiner.level(3).n_tets;
+//
+// A refiner knows topology and the split, nothing of schemes: one refinement serves many. Children are numbered by the
+// parent component they come from (vtr/refinement.h), so relations between levels are arithmetic.
+#pragma once
+
+#include <vector>
+
+#include <solidsubdiv/far/topology_descriptor.h>
+#include <solidsubdiv/sdc/masks.h>
+#include <solidsubdiv/sdc/progress.h>
+#include <solidsubdiv/vtr/level.h>
+#include <solidsubdiv/vtr/refinement.h>
+
+namespace SolidSubdiv::Far {
+
+using Vtr::Level;
+
+struct UniformRefinementOptions {
+    int max_level = 1;  ///< [0, 20]: how many splits
+    /// Keep edges, faces and relations of the last level too: needed to refine on, and for limits at its vertices.
+    bool full_topology_in_last_level = false;
+    /// Refuse what would take more bytes than this; 0: what the machine has.
+    Offset max_bytes = 0;
+    Progress progress{};
+
+    /// @throws InvalidInput
+    void Validate() const;
+};
+
+class TopologyRefiner {
+  public:
+    /// Finds edges, faces and tags of level 0. @throws InvalidInput on the first fatal defect, on elements of kinds
+    /// that the split does not take (named), and where counts do not fit. The descriptor's arrays are copied.
+    static TopologyRefiner Create(const TopologyDescriptor& descriptor, Sdc::Split split);
+
+    /// Splits every cell, face and edge max_level times, starting anew from level 0.
+    /// @throws InvalidInput, before any work, where a level would not fit: says how many bytes it needs.
+    void RefineUniform(const UniformRefinementOptions& options);
+
+    Sdc::Split split() const { return split_; }
+    int max_level() const { return static_cast<int>(levels_.size()) - 1; }
+    const Level& level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
+
+    /// Counts that a level has or would have, refined or not.
+    Vtr::Counts CountsAt(int level) const;
+
+    /// What is imperfect in the mesh but followed by rule; see Validate.
+    const std::vector<Defect>& defects() const { return defects_; }
+
+    /// Bytes of all levels.
+    Offset Bytes() const;
+
+  private:
+    TopologyRefiner() = default;
+
+    Sdc::Split split_ = Sdc::Split::TetOct;
+    std::vector<Level> levels_;
+    std::vector<Defect> defects_;
+};
+
+/// A size in bytes for people: "3.2 GiB".
+std::string BytesText(Offset bytes);
+
+}  // namespace SolidSubdiv::Far

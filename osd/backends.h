@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one visible list of backends. A new one is a folder and a line in backends.cpp; the conformance suite runs on
+// each.
+#pragma once
+
+#include <span>
+
+#include <solidsubdiv/osd/backend.h>
+
+namespace SolidSubdiv::Osd {
+
+/// Reference first, then others, the fastest last.
+std::span<const Backend> Backends();
+
+}  // namespace SolidSubdiv::Osd

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reference cells: vertices, edges, faces and the split of a tetrahedron and an octahedron, drawn once, as tables.
+//
+//   Tet (v0 v1 v2 v3), positive when det(v1-v0, v2-v0, v3-v0) > 0         Oct (v0 v1 | v2 v3 | v4 v5): opposite pairs
+//
+//            v3                                                                      v0
+//           /|\             edges 0: v0v1   3: v1v2                                 /|\ \               major diagonal
+//           v0v1;
+//          / | \                  1: v0v2   4: v1v3                                / | \  \             equator v2 v4
+//          v3 v5;
+//         /  |  \                 2: v0v3   5: v2v3                              v2--|--v5-\            positive when
+//       v0---|---v2         face i lies opposite vertex i,                        |\ |
+//       |\            det(v0-c,v2-c,v4-c) < 0,
+//         \  |  /           listed counterclockwise from outside                  | v4---v3             c the centre;
+//          \ | /            B edges (the pair in use): 0 and 5                     \ |   /              edges 0-7 touch
+//          the
+//           \|/             A edges: the other four                                  v1                 major diagonal
+//            v1
+//
+// Splits put a point on every edge and, in an octahedron, one at its centre. "Points" of a split cell are numbered
+// vertices first, then edge points, then the centre. New edges and faces are listed in the order in which
+// Vtr::Refinement numbers them: on edges, on faces, inside. Source: rules.md section 1; chang2002boxspline, 3.4.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace SolidSubdiv::Sdc {
+
+using Local = std::uint8_t;  ///< index within one cell
+
+struct Tet {
+    static constexpr int kVertices = 4, kEdges = 6, kFaces = 4;
+    static constexpr std::array<std::array<Local, 2>, 6> edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+    static constexpr std::array<std::array<Local, 3>, 4> faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+};
+
+struct Oct {
+    static constexpr int kVertices = 6, kEdges = 12, kFaces = 8;
+    static constexpr int kDiagonalEdges = 8;  ///< edges [0, 8) touch an end of the major diagonal
+    static constexpr std::array<std::array<Local, 2>, 12> edges{
+        {{0, 2}, {0, 3}, {0, 4}, {0, 5}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {2, 4}, {2, 5}, {3, 4}, {3, 5}}};
+    /// Face 4a + 2b + d has the vertices a, 2 + b, 4 + d, counterclockwise from outside.
+    static constexpr std::array<std::array<Local, 3>, 8> faces{
+        {{0, 4, 2}, {0, 2, 5}, {0, 3, 4}, {0, 5, 3}, {1, 2, 4}, {1, 5, 2}, {1, 4, 3}, {1, 3, 5}}};
+    static constexpr Local Opposite(int vertex) { return static_cast<Local>(vertex ^ 1); }
+    /// The octahedron as four positive tets around its major diagonal.
+    static constexpr std::array<std::array<Local, 4>, 4> tets{{{0, 1, 2, 4}, {0, 1, 4, 3}, {0, 1, 3, 5}, {0, 1, 5, 2}}};
+};
+
+struct Triangle {
+    static constexpr int kVertices = 3, kEdges = 3;
+    static constexpr std::array<std::array<Local, 2>, 3> edges{{{0, 1}, {1, 2}, {2, 0}}};
+};
+
+struct Edge {
+    static constexpr int kVertices = 2;
+};
+
+/// The edge between two vertices of a cell. @pre they are the ends of one
+template <class Cell>
+constexpr int FindEdge(int a, int b) {
+    for (int e = 0; e < Cell::kEdges; ++e) {
+        const auto& v = Cell::edges[e];
+        if ((v[0] == a && v[1] == b) || (v[0] == b && v[1] == a)) return e;
+    }
+    return -1;
+}
+
+}  // namespace SolidSubdiv::Sdc

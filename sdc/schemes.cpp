@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options by name, from each scheme's own table.
+#include <solidsubdiv/sdc/schemes.h>
+
+#include <optional>
+
+namespace SolidSubdiv::Sdc {
+
+namespace {
+
+/// Sets `field` to the choice that `value` names: choices are separated by | and stand in the enum's order.
+template <class Enum>
+void SetChoice(std::string_view scheme, const OptionInfo& option, std::string_view value, Enum& field) {
+    std::string_view rest = option.values;
+    for (int i = 0; !rest.empty(); ++i) {
+        const std::size_t bar = rest.find('|');
+        if (rest.substr(0, bar) == value) {
+            field = static_cast<Enum>(i);
+            return;
+        }
+        rest = bar == std::string_view::npos ? std::string_view{} : rest.substr(bar + 1);
+    }
+    throw InvalidInput(std::string(scheme) + ": option " + std::string(option.name) + " can't be '" +
+                       std::string(value) + "'; one of " + std::string(option.values));
+}
+
+[[noreturn]] void UnknownOption(std::string_view scheme, std::string_view name) {
+    throw InvalidInput("scheme " + std::string(scheme) + " has no option '" + std::string(name) + "'");
+}
+
+}  // namespace
+
+void BoxSpline::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, edge_rule);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, diagonals);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, loop_weights);
+    UnknownOption(kName, name);
+}
+
+void BoxSpline::Validate() const {
+    if (diagonals == Diagonals::Averaged && edge_rule != EdgeRule::BoxSpline) {
+        throw InvalidInput("box-spline: diagonals averaged goes with edge-rule box-spline only");
+    }
+}
+
+void LinearSolid::SetOption(std::string_view name, std::string_view) { UnknownOption(kName, name); }
+
+void Loop::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);
+    UnknownOption(kName, name);
+}
+
+Scheme SchemeOf(std::string_view name) {
+    std::optional<Scheme> found;
+    std::string known;
+    ForEachScheme([&](auto scheme) {
+        if (scheme.kName == name) found = scheme;
+        known += (known.empty() ? "" : ", ") + std::string(scheme.kName);
+    });
+    if (!found) throw InvalidInput("no scheme '" + std::string(name) + "'; there are " + known);
+    return *found;
+}
+
+}  // namespace SolidSubdiv::Sdc

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one visible list of schemes. A new scheme is a header in schemes/ and a line here; names on the command line,
+// help, dispatch and the conformance tests all read this list.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include <solidsubdiv/sdc/schemes/box_spline.h>
+#include <solidsubdiv/sdc/schemes/linear_solid.h>
+#include <solidsubdiv/sdc/schemes/loop.h>
+
+/// Calls macro(Type) for every scheme.
+#define SOLIDSUBDIV_FOR_EACH_SCHEME(macro) macro(BoxSpline) macro(LinearSolid) macro(Loop)
+
+namespace SolidSubdiv::Sdc {
+
+/// Any scheme with its options, for programs that choose at run time: std::visit gives the static type back.
+using Scheme = std::variant<BoxSpline, LinearSolid, Loop>;
+
+/// Calls function(scheme) with a default-made scheme of every type in the list.
+template <class Function>
+void ForEachScheme(Function&& function) {
+#define SOLIDSUBDIV_CALL(Type) function(Type{});
+    SOLIDSUBDIV_FOR_EACH_SCHEME(SOLIDSUBDIV_CALL)
+#undef SOLIDSUBDIV_CALL
+}
+
+/// The scheme of a name, with default options. @throws InvalidInput that lists the known names
+Scheme SchemeOf(std::string_view name);
+
+/// Sets one option by the names of its table. @throws InvalidInput naming scheme, option and possible values
+inline void SetOption(Scheme& scheme, std::string_view name, std::string_view value) {
+    std::visit([&](auto& s) { s.SetOption(name, value); }, scheme);
+}
+
+inline std::string_view NameOf(const Scheme& scheme) {
+    return std::visit([](const auto& s) { return s.kName; }, scheme);
+}
+
+}  // namespace SolidSubdiv::Sdc

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of formats, and reading and writing through it.
+#include <solidsubdiv/kit/io/formats.h>
+
+#include <array>
+#include <new>
+#include <stdexcept>
+
+#include <solidsubdiv/kit/io/internal/files.h>
+#include <solidsubdiv/kit/io/internal/readers.h>
+#include <solidsubdiv/kit/io/internal/text.h>
+#include <solidsubdiv/kit/io/internal/writers.h>
+#include <solidsubdiv/kit/io/internal/writing.h>
+
+namespace SolidSubdiv::Io {
+
+namespace {
+
+/// Most formats are one file: read as a whole, then parsed.
+template <Mesh (*Parse)(std::string_view, const std::string&)>
+Mesh ReadOneFile(const std::filesystem::path& path) {
+    return Parse(Internal::ReadWholeFile(path), Internal::NameOf(path));
+}
+
+// extension, name, reader, writer, holds solids, holds surfaces
+constexpr std::array kFormats = {
+    Format{".vtu", "VTK XML unstructured grid", ReadOneFile<Internal::ParseVtu>, Internal::WriteVtu, true, true},
+    Format{".vtk", "legacy VTK", ReadOneFile<Internal::ParseVtk>, Internal::WriteVtk, true, true},
+    Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true},
+};
+
+}  // namespace
+
+std::span<const Format> Formats() { return kFormats; }
+
+const Format& FormatOf(const std::filesystem::path& path) {
+    const std::string extension = Internal::LowerCase(path.extension().string());
+    std::string known;
+    for (const Format& format : kFormats) {
+        if (format.extension == extension) return format;
+        known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    }
+    Internal::Fail(Internal::NameOf(path),
+                   (extension.empty() ? "the name has no extension"
+                                      : "the extension " + Internal::Quoted(extension) + " is unknown") +
+                       "; known are " + known);
+}
+
+Mesh ReadMesh(const std::filesystem::path& path) {
+    try {
+        return FormatOf(path).read(path);
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    Internal::Fail(Internal::NameOf(path), "needs more memory than there is; split the mesh");
+}
+
+Mesh ReadSolid(const std::filesystem::path& path) {
+    Mesh mesh = ReadMesh(path);
+    if (mesh.topology.n_cells() == 0) {
+        Internal::Fail(Internal::NameOf(path),
+                       "holds no cells (" + Internal::Counted(mesh.topology.n_elements(), "element", "elements") +
+                           " of lower dimension); a solid is needed");
+    }
+    return mesh;
+}
+
+void WriteMesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options) {
+    const Format& format = FormatOf(path);
+    if (!format.write) Internal::Fail(Internal::NameOf(path), std::string(format.name) + " files are only read");
+    Internal::RequireConsistent(mesh);
+    format.write(path, mesh, options);
+}
+
+}  // namespace SolidSubdiv::Io

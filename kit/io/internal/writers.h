@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The writers behind Io::WriteMesh, which checks the mesh first. Each leaves a whole file or none.
+#pragma once
+
+#include <filesystem>
+
+#include <solidsubdiv/kit/io/formats.h>
+
+namespace SolidSubdiv::Io::Internal {
+
+void WriteVtu(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteVtk(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+
+}  // namespace SolidSubdiv::Io::Internal

@@ -24,7 +24,7 @@ const std::map<std::string, Doors>& HousePlan() {
     static const std::map<std::string, Doors> plan = {
         {"sdc", {{}}},  // and oneTBB in parallel.cpp, see below
         {"vtr", {{"sdc"}}},
-        {"far", {{"vtr", "sdc"}}},
+        {"far", {{"vtr", "sdc"}, {"unistd.h"}}},  // how much memory the machine has
         {"osd", {{"far"}, {"immintrin.h"}}},
         {"kit/geometry", {{"osd", "far"}, {"embree3/"}}},
         {"kit/io", {{"kit/geometry", "far"}, {"pugixml.hpp", "zlib.h", "unistd.h"}}},

@@ -84,7 +84,7 @@ constexpr CellSplit<Cell> MakeCellSplit() {
         for (int f = 0; f < 8; ++f) {
             const int seconds = (f >> 2) + ((f >> 1) & 1) + (f & 1);
             const int a = f >> 2, b = 2 + ((f >> 1) & 1), d = 4 + (f & 1);
-            if (seconds % 2 == 0) {
+            if (seconds % 2 == 1) {
                 split.tets[f] = {centre, mid(b, d), mid(a, d), mid(a, b)};
             } else {
                 split.tets[f] = {centre, mid(b, d), mid(a, b), mid(a, d)};

@@ -25,12 +25,12 @@ int ThreadCount() {
 }
 
 struct ThreadLimit::State {
+    explicit State(std::size_t n) : control(tbb::global_control::max_allowed_parallelism, n) {}
     tbb::global_control control;
 };
 
 ThreadLimit::ThreadLimit(int n_threads)
-    : state_(std::make_unique<State>(State{tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                                               static_cast<std::size_t>(std::max(1, n_threads)))})) {}
+    : state_(std::make_unique<State>(static_cast<std::size_t>(std::max(1, n_threads)))) {}
 
 void Internal::ParallelForRanges(Offset n, Offset grain, RangeFunction function, void* context) {
     if (n <= 0) return;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tests of far share: refiners of shapes, tables applied, schemes with every option.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <solidsubdiv/far/stencil_table.h>
+#include <solidsubdiv/far/topology_refiner.h>
+
+#include "test_shapes.h"
+
+namespace SolidSubdiv::TestFar {
+
+inline Far::TopologyDescriptor Describe(const TestShapes::Shape& s) {
+    return {.n_vertices = s.n_vertices, .tets = s.tets, .octs = s.octs, .triangles = s.triangles, .edges = s.edges};
+}
+
+inline Far::TopologyRefiner Refined(const TestShapes::Shape& s, int levels, bool full = false) {
+    auto refiner = Far::TopologyRefiner::Create(Describe(s), Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = levels, .full_topology_in_last_level = full});
+    return refiner;
+}
+
+/// Every scheme with every combination of options that it accepts.
+inline std::vector<std::pair<std::string, Sdc::Scheme>> AllSchemes() {
+    std::vector<std::pair<std::string, Sdc::Scheme>> all;
+    Sdc::ForEachScheme([&](auto scheme) {
+        std::vector<std::pair<std::string, decltype(scheme)>> variants{{std::string(scheme.kName), scheme}};
+        for (const Sdc::OptionInfo& option : scheme.kOptions) {
+            const auto before = variants;
+            variants.clear();
+            std::string_view rest = option.values;
+            while (!rest.empty()) {
+                const std::size_t bar = rest.find('|');
+                for (auto [name, s] : before) {
+                    s.SetOption(option.name, rest.substr(0, bar));
+                    variants.emplace_back(name + " " + std::string(rest.substr(0, bar)), s);
+                }
+                rest = bar == std::string_view::npos ? std::string_view{} : rest.substr(bar + 1);
+            }
+        }
+        for (const auto& [name, s] : variants) {
+            try {
+                s.Validate();
+            } catch (const InvalidInput&) {
+                continue;
+            }
+            all.emplace_back(name, s);
+        }
+    });
+    return all;
+}
+
+inline bool IsSolid(const Sdc::Scheme& scheme) {
+    return std::visit([](const auto& s) { return s.kSolids; }, scheme);
+}
+
+/// The table's last level on packed values, by the plainest loop.
+inline std::vector<double> Apply(const Far::StencilTable& table, std::vector<double> values, int width = 3) {
+    for (int l = 1; l <= table.n_levels(); ++l) {
+        const auto& rows = table.level(l);
+        std::vector<double> next(static_cast<std::size_t>(rows.n_rows()) * width, 0.0);
+        for (Index i = 0; i < rows.n_rows(); ++i) {
+            const auto indices = rows.Indices(i);
+            const auto weights = rows.Weights(i);
+            for (std::size_t k = 0; k < indices.size(); ++k) {
+                for (int c = 0; c < width; ++c) next[i * width + c] += weights[k] * values[indices[k] * width + c];
+            }
+        }
+        values = std::move(next);
+    }
+    return values;
+}
+
+inline void ExpectNear(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+    ASSERT_EQ(a.size(), b.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    EXPECT_LE(largest, tolerance);
+}
+
+/// Points in an order that does not depend on their numbers; coordinates rounded to 1e-10, so that round-off can't
+/// reorder.
+inline std::vector<std::array<double, 3>> SortedPoints(const std::vector<double>& positions) {
+    std::vector<std::array<double, 3>> points(positions.size() / 3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (int k = 0; k < 3; ++k) points[i][k] = std::round(positions[3 * i + k] * 1e10) / 1e10;
+    }
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+/// A full level as a shape: its cells, free triangles and free edges.
+inline TestShapes::Shape AsShape(const Far::Level& level, std::vector<double> positions) {
+    TestShapes::Shape s;
+    s.n_vertices = level.n_vertices;
+    s.positions = std::move(positions);
+    s.tets.assign(level.tet_vertices.begin(), level.tet_vertices.end());
+    s.octs.assign(level.oct_vertices.begin(), level.oct_vertices.end());
+    for (Index b = 0; b < level.n_boundary_faces; ++b) {
+        if (level.face_tags[level.boundary_faces[b]].n_cells() > 0) continue;
+        for (Index v : level.BoundaryVertices(b)) s.triangles.push_back(v);
+    }
+    for (Index e = 0; e < level.n_edges; ++e) {
+        if (level.edge_faces.Count(e) > 0) continue;
+        for (Index v : level.EdgeVertices(e)) s.edges.push_back(v);
+    }
+    return s;
+}
+
+}  // namespace SolidSubdiv::TestFar

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subdivision matrix around one vertex: how the vertex and its neighbours move in one refinement.
+//
+// Neighbours are the vertices that the scheme's rules at the vertex see. The new neighbours are the points on the same
+// edges (and in the same octahedra), so the matrix is square, the same at every level, and its powers say where the
+// vertex goes: the left eigenvector of the eigenvalue 1 is the limit mask, the other eigenvalues tell smoothness.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/sdc/schemes.h>
+
+namespace SolidSubdiv::Far {
+
+struct LocalMatrix {
+    std::vector<Index> ring;      ///< the vertex itself, then its neighbours (n numbers)
+    std::vector<double> weights;  ///< (n, n), row-major: row i makes ring[i]'s successor from the ring
+
+    int size() const { return static_cast<int>(ring.size()); }
+};
+
+/// @pre level.is_full. Nothing where the rules reach beyond the ring (a complex that meets itself).
+std::optional<LocalMatrix> MakeLocalMatrix(const Level& level, const Sdc::Scheme& scheme, Index vertex);
+
+}  // namespace SolidSubdiv::Far

@@ -87,20 +87,15 @@ MaskRow LimitOf(const Level& level, const Scheme& scheme, Index v) {
         mask.weights[0] = w.self;
     };
     if (n == 0) return mask;
-    switch (level.vertex_tags[v].rule()) {
-        case Vtr::Rule::Surface:
-            set(scheme.surface().Limit(n));
-            break;
-        case Vtr::Rule::Curve:
-            set(scheme.curve().Limit());
-            break;
-        case Vtr::Rule::Corner:
-            break;
-        case Vtr::Rule::Solid: {
-            const auto m = MakeLocalMatrix(level, scheme, v);
-            mask.weights = m ? LeftEigenvector(*m) : std::vector<double>{};
-            if (mask.weights.empty()) mask.indices.clear();
-        }
+    const Vtr::Rule rule = level.vertex_tags[v].rule();
+    if (rule == Vtr::Rule::Surface && HasSmoothRing(level, v)) {
+        set(scheme.surface().Limit(n));
+    } else if (rule == Vtr::Rule::Curve) {
+        set(scheme.curve().Limit());
+    } else {
+        const auto m = MakeLocalMatrix(level, scheme, v);
+        mask.weights = m ? LeftEigenvector(*m) : std::vector<double>{};
+        if (mask.weights.empty()) mask.indices.clear();
     }
     return mask;
 }

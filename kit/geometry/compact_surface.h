@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface taken out of a larger mesh: its triangles over its own vertices alone, and the way back.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <solidsubdiv/vtr/level.h>
+
+namespace SolidSubdiv::Geometry {
+
+struct CompactSurface {
+    std::vector<Index> vertices;   ///< (n), ascending: the mesh's vertex of each vertex of the surface
+    std::vector<Index> triangles;  ///< (m, 3): the triangles in the order given, over [0, n)
+};
+
+/// @pre indices of `triangles`, (m, 3), are in [0, n_vertices). Cost: linear.
+CompactSurface MakeCompactSurface(std::span<const Index> triangles, Index n_vertices);
+
+/// All boundary faces of a level: those of its solids, counterclockwise from outside, and its surface elements.
+CompactSurface ExtractBoundary(const Vtr::Level& level);
+
+/// Rows of `width` numbers at chosen vertices: positions or data of a compact surface. @pre indices are in range
+std::vector<double> GatherRows(std::span<const double> rows, int width, std::span<const Index> vertices);
+
+}  // namespace SolidSubdiv::Geometry

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eigenvalues by Eigen's dense solver.
+#include <solidsubdiv/kit/analysis/spectrum.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+namespace SolidSubdiv::Analysis {
+
+Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance) {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const RowMajor> m(matrix.weights.data(), matrix.size(), matrix.size());
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(m, false);
+    if (solver.info() != Eigen::Success) throw SolverError("the eigenvalues of a local matrix did not converge");
+    const auto& found = solver.eigenvalues();
+    std::vector<std::complex<double>> values(found.data(), found.data() + found.size());
+    std::sort(values.begin(), values.end(), [](auto a, auto b) {
+        const auto key = [](auto z) { return std::make_tuple(-std::round(std::abs(z) * 1e6), -z.real(), -z.imag()); };
+        return key(a) < key(b);
+    });
+
+    Spectrum spectrum;
+    for (const auto& value : values) {
+        const auto same = std::find_if(spectrum.begin(), spectrum.end(),
+                                       [&](const Eigenvalue& e) { return std::abs(e.value - value) <= tolerance; });
+        if (same == spectrum.end()) {
+            spectrum.push_back({value, 1});
+        } else {
+            ++same->multiplicity;
+        }
+    }
+    return spectrum;
+}
+
+Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
+    constexpr double kTolerance = 1e-6;
+    Verdict v;
+    if (spectrum.empty() || std::abs(spectrum[0].value - 1.0) > kTolerance || spectrum[0].multiplicity > 1 ||
+        (spectrum.size() > 1 && std::abs(spectrum[1].value) > 1 - kTolerance)) {
+        v.text = "diverges or does not settle: an eigenvalue of modulus 1 or more besides the single 1";
+        return v;
+    }
+    v.smoothness = Smoothness::C0;
+    if (spectrum.size() == 1) {
+        v.text = "interpolates: the vertex stays";
+        return v;
+    }
+    const double sub = v.subdominant = std::abs(spectrum[1].value);
+    char text[200];
+    if (std::abs(spectrum[1].value.imag()) > kTolerance || spectrum[1].multiplicity != dimension) {
+        std::snprintf(text, sizeof text, "C0: the subdominant eigenvalue %.6g has multiplicity %d, not %d", sub,
+                      spectrum[1].multiplicity, dimension);
+        v.text = text;
+        return v;
+    }
+    const double next = spectrum.size() > 2 ? std::abs(spectrum[2].value) : 0;
+    if (next > sub * sub + kTolerance) {
+        v.smoothness = Smoothness::C1;
+        std::snprintf(text, sizeof text, "C1 spectrum, not C2: subdominant %.6g, next %.6g is above its square", sub,
+                      next);
+    } else {
+        v.smoothness = Smoothness::C2;
+        std::snprintf(text, sizeof text, "C2 spectrum: subdominant %.6g, next %.6g is at most its square", sub, next);
+    }
+    v.text = text;
+    return v;
+}
+
+Far::LocalMatrix RegularLocalMatrix(const Sdc::Scheme& scheme) {
+    const bool solid = std::visit([](const auto& s) { return s.kSolids; }, scheme);
+    // Refined often enough, one cell has regular vertices inside.
+    const std::vector<Index> tet{0, 1, 2, 3}, triangle{0, 1, 2};
+    Far::TopologyDescriptor descriptor{.n_vertices = solid ? 4 : 3};
+    (solid ? descriptor.tets : descriptor.triangles) = solid ? tet : triangle;
+    auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = 3, .full_topology_in_last_level = true});
+    const Far::Level& level = refiner.level(3);
+    for (Index v = 0; v < level.n_vertices; ++v) {
+        const Vtr::Rule rule = level.vertex_tags[v].rule();
+        if (rule != (solid ? Vtr::Rule::Solid : Vtr::Rule::Surface)) continue;
+        if (auto m = Far::MakeLocalMatrix(level, scheme, v)) return *m;
+    }
+    return {};
+}
+
+std::string SpectrumText(const Spectrum& spectrum) {
+    std::string text;
+    for (const Eigenvalue& e : spectrum) {
+        char number[64];
+        const double x = e.value.real(), scaled = std::round(x * 64);
+        if (std::abs(e.value.imag()) > 1e-7) {
+            std::snprintf(number, sizeof number, "%.5g%+.5gi", x, e.value.imag());
+        } else if (std::abs(x - scaled / 64) < 1e-7 && scaled != 0) {
+            int top = static_cast<int>(scaled), bottom = 64;
+            while (top % 2 == 0 && bottom > 1) top /= 2, bottom /= 2;
+            if (bottom == 1) {
+                std::snprintf(number, sizeof number, "%d", top);
+            } else {
+                std::snprintf(number, sizeof number, "%d/%d", top, bottom);
+            }
+        } else {
+            std::snprintf(number, sizeof number, "%.5g", std::abs(x) < 1e-7 ? 0.0 : x);
+        }
+        text += (text.empty() ? "" : ", ") + std::string(number);
+        if (e.multiplicity > 1) text += " x " + std::to_string(e.multiplicity);
+    }
+    return text;
+}
+
+}  // namespace SolidSubdiv::Analysis

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spectra of the regular lattices, and the words that eigenvalues get.
+#include <gtest/gtest.h>
+#include <solidsubdiv/kit/analysis/spectrum.h>
+
+namespace {
+
+using namespace SolidSubdiv;
+using namespace SolidSubdiv::Analysis;
+
+TEST(RegularSpectrum, OfTheBoxSplineIsThatOfItsMask) {
+    const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::BoxSpline{}));
+    EXPECT_EQ(SpectrumText(s), "1, 1/2 x 3, 1/4 x 6, 1/8 x 4, 1/16");
+    EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C2);
+}
+
+// rules.md section 2: eq. (11) taken literally.
+TEST(RegularSpectrum, OfThePrintedRuleIsNotC2) {
+    Sdc::BoxSpline printed;
+    printed.edge_rule = Sdc::EdgeRule::Printed2002;
+    const Spectrum s = SpectrumOf(RegularLocalMatrix(printed));
+    EXPECT_NEAR(s[2].value.real(), 0.3125, 1e-12);
+    EXPECT_NEAR(s[3].value.real(), 0.2759, 5e-5);
+    EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C1);
+}
+
+TEST(RegularSpectrum, OfTheAveragedVariantIsC2) {
+    Sdc::BoxSpline averaged;
+    averaged.diagonals = Sdc::Diagonals::Averaged;
+    const Spectrum s = SpectrumOf(RegularLocalMatrix(averaged));
+    EXPECT_EQ(SpectrumText(s).substr(0, 20), "1, 1/2 x 3, 1/4 x 6,");
+    EXPECT_NEAR(s[3].value.real(), 0.1458, 5e-5);
+    EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C2);
+}
+
+TEST(RegularSpectrum, OfLoopIsThatOfTheQuarticBoxSpline) {
+    const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::Loop{}));
+    EXPECT_EQ(SpectrumText(s), "1, 1/2 x 2, 1/4 x 3, 1/8") << "Loop 1987: 1, 1/2, 1/2, 1/4 three times, 1/8";
+    EXPECT_EQ(VerdictOf(s, 2).smoothness, Smoothness::C2);
+}
+
+TEST(SpectrumOfTest, FindsThePlantedFault) {
+    Far::LocalMatrix m = RegularLocalMatrix(Sdc::BoxSpline{});
+    m.weights[1] += 1e-3;
+    m.weights[0] -= 1e-3;
+    EXPECT_NE(SpectrumText(SpectrumOf(m)), "1, 1/2 x 3, 1/4 x 6, 1/8 x 4, 1/16");
+}
+
+TEST(VerdictOfTest, NamesEachCase) {
+    const auto verdict = [](const Spectrum& s) { return VerdictOf(s, 2).smoothness; };
+    EXPECT_EQ(verdict({{1.0, 1}, {0.5, 2}, {0.25, 3}}), Smoothness::C2);
+    EXPECT_EQ(verdict({{1.0, 1}, {0.5, 2}, {0.3, 1}}), Smoothness::C1);
+    EXPECT_EQ(verdict({{1.0, 1}, {0.6, 1}, {0.5, 2}}), Smoothness::C0);
+    EXPECT_EQ(verdict({{1.0, 1}, {{0.3, 0.4}, 1}, {{0.3, -0.4}, 1}}), Smoothness::C0);
+    EXPECT_EQ(verdict({{1.0, 2}, {0.5, 2}}), Smoothness::Diverges);
+    EXPECT_EQ(verdict({{1.2, 1}, {1.0, 1}}), Smoothness::Diverges);
+}
+
+}  // namespace

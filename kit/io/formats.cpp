@@ -26,6 +26,12 @@ Mesh ReadOneFile(const std::filesystem::path& path) {
 constexpr std::array kFormats = {
     Format{".vtu", "VTK XML unstructured grid", ReadOneFile<Internal::ParseVtu>, Internal::WriteVtu, true, true},
     Format{".vtk", "legacy VTK", ReadOneFile<Internal::ParseVtk>, Internal::WriteVtk, true, true},
+    Format{".msh", "Gmsh", ReadOneFile<Internal::ParseGmsh>, Internal::WriteGmsh, true, true},
+    Format{".mesh", "MEDIT", ReadOneFile<Internal::ParseMedit>, Internal::WriteMedit, true, true},
+    Format{".node", "TetGen points", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
+    Format{".ele", "TetGen tetrahedra", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
+    Format{".ply", "PLY", ReadOneFile<Internal::ParsePly>, Internal::WritePly, false, true},
+    Format{".stl", "STL", ReadOneFile<Internal::ParseStl>, Internal::WriteStl, false, true},
     Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true},
 };
 

@@ -21,7 +21,7 @@ class ObjReader {
 
     Mesh Read() {
         TextCursor line = text_;
-        while (text_.NextLine(line)) ReadLine(line);
+        while (text_.NextLine(line, true)) ReadLine(line);
         builder_.AddPositions(positions_);
         if (n_colored_ > 0 && 3 * n_colored_ == positions_.size()) builder_.AddPointData({"color", 3, colors_});
         if (has_corner_data_) builder_.AddNote("texture coordinates and normals of the faces' corners are not kept");

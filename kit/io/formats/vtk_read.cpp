@@ -6,6 +6,7 @@
 
 #include <solidsubdiv/kit/io/internal/mesh_builder.h>
 #include <solidsubdiv/kit/io/internal/numbers.h>
+#include <solidsubdiv/kit/io/internal/percents.h>
 #include <solidsubdiv/kit/io/internal/readers.h>
 #include <solidsubdiv/kit/io/internal/text.h>
 #include <solidsubdiv/kit/io/internal/vtk_cells.h>
@@ -38,25 +39,6 @@ std::optional<NumberType> TypeNamed(const std::string& name) {
         if (key == name) return type;
     }
     return std::nullopt;
-}
-
-/// Array names have blanks and other special characters as %20 and so on.
-std::string DecodePercents(std::string_view name) {
-    const auto digit = [](char c) {
-        if (c >= '0' && c <= '9') return c - '0';
-        const char lower = static_cast<char>(c | 0x20);
-        return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-    };
-    std::string decoded;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        if (name[i] == '%' && i + 2 < name.size() && digit(name[i + 1]) >= 0 && digit(name[i + 2]) >= 0) {
-            decoded += static_cast<char>(digit(name[i + 1]) * 16 + digit(name[i + 2]));
-            i += 2;
-        } else {
-            decoded += name[i];
-        }
-    }
-    return decoded;
 }
 
 /// Lists of vertices, one a cell: ends[i] is where list i ends in `vertices`.

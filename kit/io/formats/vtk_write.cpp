@@ -10,6 +10,7 @@
 
 #include <solidsubdiv/kit/io/internal/files.h>
 #include <solidsubdiv/kit/io/internal/octahedra.h>
+#include <solidsubdiv/kit/io/internal/percents.h>
 #include <solidsubdiv/kit/io/internal/text.h>
 #include <solidsubdiv/kit/io/internal/vtk_cells.h>
 #include <solidsubdiv/kit/io/internal/writers.h>
@@ -17,22 +18,6 @@
 namespace SolidSubdiv::Io::Internal {
 
 namespace {
-
-/// Blanks, quotes, percents and what is not printable, as %20 and so on.
-std::string EncodePercents(std::string_view name) {
-    constexpr char digits[] = "0123456789ABCDEF";
-    std::string encoded;
-    for (const char c : name) {
-        if (c > ' ' && c <= '~' && c != '%' && c != '"') {
-            encoded += c;
-        } else {
-            encoded += '%';
-            encoded += digits[static_cast<unsigned char>(c) >> 4];
-            encoded += digits[static_cast<unsigned char>(c) & 15];
-        }
-    }
-    return encoded;
-}
 
 class VtkWriter {
   public:

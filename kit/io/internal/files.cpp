@@ -77,11 +77,16 @@ void OutputFile::Flush() {
     buffer_.clear();
 }
 
-void OutputFile::Commit() {
+void OutputFile::Close() {
+    if (!file_) return;
     Flush();
     std::FILE* file = file_;
     file_ = nullptr;
     if (std::fclose(file) != 0) FailToWrite();
+}
+
+void OutputFile::Commit() {
+    Close();
     if (std::rename(temporary_.c_str(), path_.c_str()) != 0) FailToWrite();
     temporary_.clear();
 }

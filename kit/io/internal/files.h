@@ -35,7 +35,9 @@ class OutputFile {
         return AppendNumber(value);
     }
 
+    /// Writes what is left; with several files, all are closed before the first is committed.
     /// @throws IoError if anything could not be written
+    void Close();
     void Commit();
 
   private:

@@ -176,15 +176,15 @@ std::vector<double> MeshBuilder::InMeshOrder(const Attribute& by_row) const {
     return values;
 }
 
-void MeshBuilder::AddChecked(std::vector<Attribute>& to, Attribute attribute, Offset n_rows, const char* what) {
+void MeshBuilder::AddChecked(std::vector<Attribute>& to, std::set<std::string>& names, Attribute attribute,
+                             Offset n_rows, const char* what) {
     const std::string label = std::string(what) + " " + Quoted(attribute.name);
     if (attribute.width < 1 || static_cast<Offset>(attribute.values.size()) != n_rows * attribute.width) {
         Fail(file_, label + " has " + Counted(static_cast<Offset>(attribute.values.size()), "number", "numbers") +
                         " where " + std::to_string(n_rows) + " rows of " + std::to_string(attribute.width) +
                         " are needed");
     }
-    for (const Attribute& other : to) {
-        if (other.name != attribute.name) continue;
+    if (!names.insert(attribute.name).second) {
         AddNote(label + " is there twice; the first one is used");
         return;
     }
@@ -200,9 +200,10 @@ void MeshBuilder::AddChecked(std::vector<Attribute>& to, Attribute attribute, Of
 Mesh MeshBuilder::Finish() {
     mesh_.topology.n_vertices = static_cast<Index>(n_vertices());
     CheckVertices();
-    for (Attribute& attribute : point_data_)
-        AddChecked(mesh_.point_data, std::move(attribute), n_vertices(), "point data");
-    for (Attribute& attribute : cell_data_) AddChecked(mesh_.cell_data, std::move(attribute), n_rows_, "cell data");
+    std::set<std::string> names;
+    for (Attribute& a : point_data_) AddChecked(mesh_.point_data, names, std::move(a), n_vertices(), "point data");
+    names.clear();
+    for (Attribute& a : cell_data_) AddChecked(mesh_.cell_data, names, std::move(a), n_rows_, "cell data");
     for (Attribute& attribute : mesh_.cell_data) attribute.values = InMeshOrder(attribute);
     return std::move(mesh_);
 }

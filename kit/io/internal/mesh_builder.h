@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,7 +55,8 @@ class MeshBuilder {
     void CountElement(ElementKind kind);
     void CheckVertices() const;
     std::string ElementName(ElementKind kind, std::size_t element) const;
-    void AddChecked(std::vector<Attribute>& to, Attribute attribute, Offset n_rows, const char* what);
+    void AddChecked(std::vector<Attribute>& to, std::set<std::string>& names, Attribute attribute, Offset n_rows,
+                    const char* what);
     std::vector<double> InMeshOrder(const Attribute& by_row) const;
 
     std::string file_;

@@ -47,6 +47,14 @@ bool TextCursor::SkipSpace() {
     return false;
 }
 
+bool TextCursor::SkipComments(char mark) {
+    while (SkipSpace()) {
+        if (*at_ != mark) return true;
+        RestOfLine();
+    }
+    return false;
+}
+
 std::string_view TextCursor::Word() {
     const std::string_view word = PeekWord();
     at_ += word.size();
@@ -109,6 +117,13 @@ void TextCursor::SkipPastNewline() {
     if (at_ != end_) ++at_;
 }
 
+bool TextCursor::SkipPast(std::string_view text) {
+    const std::string_view rest(at_, static_cast<std::size_t>(remaining()));
+    const std::size_t found = rest.find(text);
+    if (found != rest.npos) at_ += found + text.size();
+    return found != rest.npos;
+}
+
 std::string_view TextCursor::Bytes(std::int64_t n, std::string_view what) {
     if (n < 0 || n > remaining()) {
         FailHere(std::string(what) + " should take " + std::to_string(n) + " bytes, but only " +
@@ -119,11 +134,11 @@ std::string_view TextCursor::Bytes(std::int64_t n, std::string_view what) {
     return bytes;
 }
 
-bool TextCursor::NextLine(TextCursor& line) {
+bool TextCursor::NextLine(TextCursor& line, bool joined) {
     if (at_ == end_) return false;
     const char* first = at_;
     std::string_view part = RestOfLine();
-    while (!part.empty() && part.back() == '\\' && at_ != end_) part = RestOfLine();
+    while (joined && !part.empty() && part.back() == '\\' && at_ != end_) part = RestOfLine();
     line.begin_ = begin_;
     line.at_ = first;
     line.end_ = part.data() + part.size();

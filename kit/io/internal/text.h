@@ -35,6 +35,8 @@ class TextCursor {
 
     /// Moves to the next word; false if there is none.
     bool SkipSpace();
+    /// Moves to the next word that is in no comment; comments go from `mark` to the end of the line.
+    bool SkipComments(char mark);
     /// The next word, empty at the end.
     std::string_view Word();
     std::string_view PeekWord();
@@ -48,12 +50,14 @@ class TextCursor {
     std::string_view RestOfLine();
     /// Moves behind the next \n: where binary data follow a line of text.
     void SkipPastNewline();
+    /// Moves behind the next place where `text` stands; false (and no move) if there is none.
+    bool SkipPast(std::string_view text);
     /// The next n bytes as they are.
     std::string_view Bytes(std::int64_t n, std::string_view what);
 
-    /// The next line as a cursor of its own, whose messages name the right line. A backslash at the end of a line joins
-    /// it with the next one.
-    bool NextLine(TextCursor& line);
+    /// The next line as a cursor of its own, whose messages name the right line. If joined, a backslash at the end of a
+    /// line continues it on the next one.
+    bool NextLine(TextCursor& line, bool joined = false);
 
     std::int64_t remaining() const { return end_ - at_; }
     const std::string& file() const { return file_; }

@@ -10,6 +10,11 @@ namespace SolidSubdiv::Io::Internal {
 
 void WriteVtu(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
 void WriteVtk(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteGmsh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteMedit(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteTetgen(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WritePly(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
+void WriteStl(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
 void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
 
 }  // namespace SolidSubdiv::Io::Internal

@@ -3,6 +3,7 @@
 #include <solidsubdiv/kit/io/internal/writing.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <solidsubdiv/kit/io/internal/files.h>
 #include <solidsubdiv/kit/io/internal/text.h>
@@ -19,6 +20,14 @@ void RequireKinds(const std::filesystem::path& path, const Mesh& mesh, std::stri
                                ", the mesh has " + std::to_string(n) +
                                "; choose another format, .vtu holds everything");
     }
+}
+
+const Attribute* FindLabels(std::span<const Attribute> attributes, std::string_view name) {
+    const auto is_label = [](double v) { return v >= -2147483648.0 && v <= 2147483647.0 && v == std::floor(v); };
+    for (const Attribute& a : attributes) {
+        if (a.name == name && a.width == 1 && std::all_of(a.values.begin(), a.values.end(), is_label)) return &a;
+    }
+    return nullptr;
 }
 
 void RequireConsistent(const Mesh& mesh) {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzzes the refiner with complexes read from bytes: indices in and out of range, cells that touch in every way.
+//
+// A complex is refused with InvalidInput, or refines with rows that sum to one under every scheme.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include <solidsubdiv/far/choose_diagonals.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
+#include <solidsubdiv/far/primvar_refiner.h>
+#include <solidsubdiv/far/stencil_table.h>
+
+using namespace SolidSubdiv;
+
+namespace {
+
+class Bytes {
+  public:
+    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
+    int Next() { return data_ < end_ ? *data_++ : 0; }
+    bool empty() const { return data_ >= end_; }
+
+  private:
+    const std::uint8_t* data_;
+    const std::uint8_t* end_;
+};
+
+void Require(bool holds) {
+    if (!holds) std::abort();
+}
+
+void CheckTable(const Far::StencilTable& table) {
+    for (int l = 1; l <= table.n_levels(); ++l) {
+        const auto& rows = table.level(l);
+        for (Index i = 0; i < rows.n_rows(); ++i) {
+            double sum = 0;
+            for (double w : rows.Weights(i)) sum += w;
+            Require(std::abs(sum - 1) < 1e-12);
+            for (Index v : rows.Indices(i)) Require(v >= 0 && v < rows.n_sources);
+        }
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    Bytes bytes(data, size);
+    const Index n_vertices = bytes.Next() % 24;
+    const int levels = bytes.Next() % 3;
+    std::vector<Index> tets, octs, triangles, edges;
+    struct Kind {
+        std::vector<Index>* vertices;
+        int arity;
+    };
+    const Kind kinds[] = {{&tets, 4}, {&octs, 6}, {&triangles, 3}, {&edges, 2}};
+    while (!bytes.empty() && tets.size() + octs.size() + triangles.size() + edges.size() < 400) {
+        const Kind& kind = kinds[bytes.Next() % 4];
+        for (int k = 0; k < kind.arity; ++k) {
+            // Mostly in range, so that whole complexes come about; 255 is out of it.
+            const int b = bytes.Next();
+            kind.vertices->push_back(b == 255 || n_vertices == 0 ? b - 256 : b % n_vertices);
+        }
+    }
+    const Far::TopologyDescriptor descriptor{
+        .n_vertices = n_vertices, .tets = tets, .octs = octs, .triangles = triangles, .edges = edges};
+
+    const auto defects = Far::Validate(descriptor);
+    const bool usable = defects.empty() || !defects.front().IsFatal();
+    try {
+        const auto choice = Far::ChooseDiagonals(descriptor, Far::DiagonalPolicy::Matched);
+        Require(usable && choice.tets.size() == tets.size() && choice.octs.size() == octs.size());
+        auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
+        refiner.RefineUniform({.max_level = levels, .full_topology_in_last_level = true});
+        Sdc::ForEachScheme([&](auto scheme) {
+            if (!scheme.kSolids && refiner.level(0).n_cells() > 0) return;
+            CheckTable(Far::StencilTable::Create(refiner, scheme));
+            CheckTable(Far::StencilTable::CreateComposite(refiner, scheme, {{.level = levels}}));
+            Far::LimitStencilTable::Create(refiner, scheme);
+        });
+        Sdc::BoxSpline averaged;
+        averaged.diagonals = Sdc::Diagonals::Averaged;
+        CheckTable(Far::StencilTable::Create(refiner, averaged));
+    } catch (const InvalidInput&) {
+        Require(!usable);
+    }
+    return 0;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Valences and links in the tetrahedral view, on cells whose neighbourhoods are known.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/kit/geometry/compact_surface.h>
+#include <solidsubdiv/kit/geometry/valence.h>
+
+#include <numeric>
+
+namespace SolidSubdiv::Geometry {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Far::TopologyRefiner Refined(const std::vector<Index>& tets, Index n_vertices, int levels) {
+    auto refiner = Far::TopologyRefiner::Create({.n_vertices = n_vertices, .tets = tets}, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = levels, .full_topology_in_last_level = true});
+    return refiner;
+}
+
+Offset Total(const Histogram& h) { return std::accumulate(h.begin(), h.end(), Offset{0}); }
+
+TEST(Valence, OfOneTet) {
+    const auto refiner = Refined({0, 1, 2, 3}, 4, 0);
+    const ValenceHistograms h = MeasureValences(refiner.level(0));
+    EXPECT_THAT(h.vertex_edges, ElementsAre(0, 0, 0, 4));
+    EXPECT_THAT(h.surface_edges, ElementsAre(0, 0, 0, 4));
+    EXPECT_THAT(h.solid_adjacent, IsEmpty());
+    EXPECT_THAT(h.links, IsEmpty());
+}
+
+TEST(Valence, OfFourTetsAroundAPointInside) {
+    const auto refiner = Refined({0, 1, 2, 4, 0, 3, 1, 4, 1, 3, 2, 4, 0, 2, 3, 4}, 5, 0);
+    const ValenceHistograms h = MeasureValences(refiner.level(0));
+    EXPECT_THAT(h.solid_adjacent, ElementsAre(0, 0, 0, 0, 1)) << "vertex 4";
+    EXPECT_THAT(h.surface_edges, ElementsAre(0, 0, 0, 4)) << "edges to the point inside don't count";
+    EXPECT_THAT(h.links, ElementsAre(0, 0, 0, 4)) << "four inner edges with three tets each";
+}
+
+TEST(Valence, InsideATetRefinedTwiceIsThatOfTheOctetTruss) {
+    const auto refiner = Refined({0, 1, 2, 3}, 4, 2);
+    const Vtr::Level& level = refiner.level(2);
+    const ValenceHistograms h = MeasureValences(level);
+    // The only vertex inside is the centre of the level-1 octahedron, whose neighbours are all regular.
+    ASSERT_EQ(h.solid_adjacent.size(), 15u);
+    EXPECT_EQ(h.solid_adjacent[14], 1);
+    EXPECT_EQ(Total(h.solid_adjacent), 1);
+    // Links inside the truss: 4 or 6 only, diagonals among those of 4.
+    EXPECT_EQ(h.links[4] + h.links[6], Total(h.links));
+    EXPECT_GE(h.links[4], level.n_octs);
+    EXPECT_GT(h.links[6], 0);
+    EXPECT_EQ(Total(h.vertex_edges), level.n_vertices);
+}
+
+TEST(CompactSurface, BoundaryOfALevelKeepsItsTrianglesOverItsOwnVertices) {
+    const auto refiner = Refined({0, 1, 2, 4, 0, 3, 1, 4, 1, 3, 2, 4, 0, 2, 3, 4}, 6, 1);  // vertex 5 is isolated
+    const Vtr::Level& level = refiner.level(1);
+    const CompactSurface surface = ExtractBoundary(level);
+    EXPECT_EQ(surface.triangles.size(), 3u * 16u);
+    EXPECT_EQ(surface.vertices.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(surface.vertices.begin(), surface.vertices.end()));
+    std::vector<double> positions(3 * static_cast<std::size_t>(level.n_vertices));
+    std::iota(positions.begin(), positions.end(), 0.0);
+    const std::vector<double> own = GatherRows(positions, 3, surface.vertices);
+    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+        EXPECT_EQ(surface.vertices[surface.triangles[i]], level.boundary_vertices[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(own[3 * surface.triangles[i] + axis], positions[3 * level.boundary_vertices[i] + axis]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace SolidSubdiv::Geometry

@@ -2,8 +2,10 @@
 // The two integer types of the framework, and arrays that do not clear memory which is about to be overwritten.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,16 +21,33 @@ using Offset = std::int64_t;
 /// No such element.
 inline constexpr Index kNoIndex = -1;
 
-/// Allocator that leaves trivial elements uninitialized on resize(n); every other operation is std::allocator's.
+/// Memory for arrays of `bytes` >= kLargeBytes, in huge pages where the system has them: touching fresh memory page by
+/// page costs more than filling a table with topology. @throws std::bad_alloc
+void* AllocateLarge(std::size_t bytes);
+void FreeLarge(void* memory);
+inline constexpr std::size_t kLargeBytes = std::size_t{8} << 20;
+
+/// Allocator that leaves trivial elements uninitialized on resize(n).
 template <class T>
-struct UninitializedAllocator : std::allocator<T> {
-    template <class U>
-    struct rebind {
-        using other = UninitializedAllocator<U>;
-    };
+struct UninitializedAllocator {
+    using value_type = T;
     UninitializedAllocator() = default;
     template <class U>
     UninitializedAllocator(const UninitializedAllocator<U>&) {}
+
+    T* allocate(std::size_t n) {
+        if (n > std::size_t(-1) / sizeof(T)) throw std::bad_array_new_length();
+        return n * sizeof(T) < kLargeBytes ? std::allocator<T>().allocate(n)
+                                           : static_cast<T*>(AllocateLarge(n * sizeof(T)));
+    }
+    void deallocate(T* p, std::size_t n) {
+        if (n * sizeof(T) < kLargeBytes) {
+            std::allocator<T>().deallocate(p, n);
+        } else {
+            FreeLarge(p);
+        }
+    }
+    friend bool operator==(const UninitializedAllocator&, const UninitializedAllocator&) { return true; }
 
     template <class U>
     void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {

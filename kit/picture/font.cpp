@@ -87,7 +87,7 @@ constexpr std::array<std::string_view, kLast - kFirst + 2> kLetters{
     "0g0c 0i",                                                 // i
     "1g1b~1a0a 1i",                                            // j
     "0i0c 3g0e3c",                                             // k
-    "0i0c",                                                    // l
+    "0i0d~0c1c",                                               // l
     "0g0c 0e~0g2g~3g3e3c 3e~3g5g~6g6e6c",                      // m
     "0g0c 0e~0g2g~4g4e4c",                                     // n
     "2g~4g4e~4c2c~0c0e~0g2g",                                  // o

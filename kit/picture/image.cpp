@@ -29,13 +29,17 @@ Image::Image(int width, int height, Color fill) : width_(width), height_(height)
     }
 }
 
-Image::Image(int width, int height, std::vector<std::uint8_t> bytes)
-    : width_(width), height_(height), bytes_(std::move(bytes)) {
+Image Image::FromBytes(int width, int height, std::vector<std::uint8_t> bytes) {
     const std::size_t expected = CheckedBytes(width, height);
-    if (bytes_.size() != expected) {
-        throw InvalidInput("image: " + std::to_string(bytes_.size()) + " bytes given where " +
-                           std::to_string(expected) + " are needed");
+    if (bytes.size() != expected) {
+        throw InvalidInput("image: " + std::to_string(bytes.size()) + " bytes given where " + std::to_string(expected) +
+                           " are needed");
     }
+    Image image;
+    image.width_ = width;
+    image.height_ = height;
+    image.bytes_ = std::move(bytes);
+    return image;
 }
 
 Color Image::At(int x, int y) const {

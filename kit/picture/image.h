@@ -17,7 +17,7 @@ class Image {
     /// @throws InvalidInput unless both sizes are in [1, 32768]
     Image(int width, int height, Color fill = {1, 1, 1});
     /// Takes finished bytes. @throws InvalidInput also unless there are width * height * 3
-    Image(int width, int height, std::vector<std::uint8_t> bytes);
+    static Image FromBytes(int width, int height, std::vector<std::uint8_t> bytes);
 
     int width() const { return width_; }
     int height() const { return height_; }

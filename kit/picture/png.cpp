@@ -76,7 +76,7 @@ Image ReadPng(const std::filesystem::path& path) {
     if (!png_image_finish_read(&header, &white, bytes.data(), 0, nullptr)) {
         Fail(path, std::string("cannot be read: ") + header.message);
     }
-    return Image(static_cast<int>(header.width), static_cast<int>(header.height), std::move(bytes));
+    return Image::FromBytes(static_cast<int>(header.width), static_cast<int>(header.height), std::move(bytes));
 }
 
 }  // namespace SolidSubdiv::Picture

@@ -21,8 +21,11 @@ using Internal::PixelSequence;
 using Internal::Studio;
 using Internal::Vec3f;
 
-constexpr int kProbes = 4;          // camera rays of every pixel; the first of the sequence
-constexpr float kFootprint = 1.3f;  // side of the square that a pixel's rays fill: a little over 1 catches thin lines
+/// Where every pixel is looked at first, from its middle in pixels: at the corners, and in the middle for thin lines.
+constexpr std::array<std::array<float, 2>, 5> kProbes{
+    {{-0.5f, -0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}, {0.5f, 0.5f}, {0, 0}}};
+constexpr int kCorners = 4;
+constexpr float kFootprint = 1.3f;  // side of the square that a pixel's other rays fill: a little over 1 softens stairs
 constexpr int kReach = 3;  // light is averaged with weights 1 2 3 4 3 2 1: all pixels of a 4 x 4 tile count alike
 constexpr int kBand = 96;  // rows worked on together
 
@@ -34,10 +37,12 @@ struct Pixel {
     Vec3f color;        // finished
 };
 
-Vec3f Mean(const std::array<Fragment, kProbes>& f, Vec3f Fragment::*field) {
+using Probes = std::array<Fragment, kProbes.size()>;
+
+Vec3f Mean(const Probes& probes, Vec3f Fragment::*field) {
     Vec3f sum{};
-    for (const Fragment& x : f) sum += x.*field;
-    return (1.f / kProbes) * sum;
+    for (const Fragment& f : probes) sum += f.*field;
+    return (1 / static_cast<float>(probes.size())) * sum;
 }
 
 float Largest(Vec3f v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -53,15 +58,11 @@ bool LookAlike(const Fragment& a, const Fragment& b, float pixel_size) {
 }
 
 Pixel TracePixel(const Studio& studio, const RenderOptions& options, int x, int y) {
-    const auto look = [&](int i) {
-        const Internal::Pair place = Internal::EvenPoint(static_cast<unsigned>(i));
-        return studio.Look(static_cast<float>(x) + 0.5f + kFootprint * (place.u - 0.5f),
-                           static_cast<float>(y) + 0.5f + kFootprint * (place.v - 0.5f));
-    };
-    const int n_probes = std::min(kProbes, options.samples);
-    std::array<Fragment, kProbes> probes;
-    for (int i = 0; i < kProbes; ++i) probes[static_cast<std::size_t>(i)] = look(i % n_probes);
-
+    const float middle_x = static_cast<float>(x) + 0.5f, middle_y = static_cast<float>(y) + 0.5f;
+    Probes probes;
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        probes[i] = studio.Look(middle_x + kProbes[i][0], middle_y + kProbes[i][1]);
+    }
     Pixel pixel;
     const float size = studio.PixelSize(probes[0]);
     pixel.calm =
@@ -74,21 +75,23 @@ Pixel TracePixel(const Studio& studio, const RenderOptions& options, int x, int 
         }
         pixel.fragment.normal = Unit(pixel.fragment.normal);
         pixel.fragment.direction = Unit(pixel.fragment.direction);
-        // Rays start from the probes' own places: their mean may lie inside a bent surface.
-        const int each = (options.light_rays + kProbes - 1) / kProbes;
-        const PixelSequence sequence(x, y, kProbes * each);
+        // Rays start from the corners' own places: their mean may lie inside a bent surface.
+        const int each = (options.light_rays + kCorners - 1) / kCorners;
+        const PixelSequence sequence(x, y, kCorners * each);
         pixel.light = {0, 0};
-        for (int i = 0; i < kProbes; ++i) {
+        for (int i = 0; i < kCorners; ++i) {
             const LightShare share = studio.Gather(probes[static_cast<std::size_t>(i)], sequence, i * each, each);
-            pixel.light.key += share.key / kProbes;
-            pixel.light.sky += share.sky / kProbes;
+            pixel.light.key += share.key / kCorners;
+            pixel.light.sky += share.sky / kCorners;
         }
         return pixel;
     }
     const int each = options.light_rays == 0 ? 0 : std::max(1, options.light_rays / options.samples);
     const PixelSequence sequence(x, y, options.samples * each);
     for (int i = 0; i < options.samples; ++i) {
-        const Fragment fragment = i < n_probes ? probes[static_cast<std::size_t>(i)] : look(i);
+        const Internal::Pair place = Internal::EvenPoint(static_cast<unsigned>(i));
+        const Fragment fragment =
+            studio.Look(middle_x + kFootprint * (place.u - 0.5f), middle_y + kFootprint * (place.v - 0.5f));
         pixel.color += studio.Develop(fragment, studio.Gather(fragment, sequence, i * each, each));
     }
     pixel.color = (1 / static_cast<float>(options.samples)) * pixel.color;

@@ -12,7 +12,7 @@ namespace SolidSubdiv::Picture {
 
 struct RenderOptions {
     int width = 1200, height = 900;       ///< pixels, [1, 32768]
-    int samples = 16;                     ///< camera rays of a pixel at an edge, [1, 1024]; elsewhere 4 will do
+    int samples = 16;                     ///< camera rays of a pixel at an edge, [1, 1024]; elsewhere 5 will do
     int light_rays = 8;                   ///< rays of a pixel to each light, [0, 4096]: 0 = no shadows at all
     bool ground_shadow = true;            ///< the shadow on the ground that the lowest point stands on
     Color background_top = {1, 1, 1};     ///< the background runs from this colour
@@ -23,7 +23,7 @@ struct RenderOptions {
 };
 
 /// The picture; the same bits for any number of threads. An empty scene gives the background.
-/// Cost: 4 + 2 light_rays rays a pixel, 3 samples at edges; 1200 x 900 in a few seconds.
+/// Cost: 5 + 2 light_rays rays a pixel, 3 samples more at edges; 1200 x 900 in a few seconds.
 Image Render(const Scene& scene, const Camera& camera, const RenderOptions& options = {},
              const Progress& progress = {});
 

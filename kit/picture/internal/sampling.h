@@ -16,7 +16,7 @@ struct Pair {
 };
 
 /// Point i of a sequence in the unit square whose first 4, 16, 64.. points have one in each of 4, 16, 64.. equal
-/// squares, and as many in equal columns and rows (Sobol 1967), moved so that the first four surround the middle.
+/// squares, and as many in equal columns and rows (Sobol 1967), moved by half the spacing of 16 points in a row.
 inline Pair EvenPoint(unsigned i) {
     unsigned x = 0, y = 0;
     unsigned x_bit = 1u << 31, y_bits = 1u << 31;
@@ -24,7 +24,7 @@ inline Pair EvenPoint(unsigned i) {
         if (i & 1) x ^= x_bit, y ^= y_bits;
     }
     const auto moved = [](unsigned bits) {
-        const double place = bits / 4294967296.0 + 0.11;
+        const double place = bits / 4294967296.0 + 1.0 / 32;
         return static_cast<float>(place < 1 ? place : place - 1);
     };
     return {moved(x), moved(y)};

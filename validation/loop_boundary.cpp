@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Validator loop-boundary: box-spline solids against OpenSubdiv on their boundaries.
+#include <solidsubdiv/kit/io/formats.h>
+
+#include "loop_compare.h"
+#include "meshes.h"
+#include "solid_shapes.h"
+#include "validators.h"
+
+namespace SolidSubdiv::Validation {
+
+Findings ValidateLoopBoundary(const Context& context) {
+    Findings findings;
+    std::vector<SolidShape> shapes = ManifoldShapes();
+    for (SolidShape& shape : NonManifoldShapes()) shapes.push_back(std::move(shape));
+    shapes.push_back(ReadSolidShape(context.shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
+    for (const SolidShape& shape : shapes) {
+        const CellArrays cells(shape.complex);
+        findings.Merge(CompareWithLoop(cells.Descriptor(shape.n_vertices()), Sdc::BoxSpline{},
+                                       BoundaryTriangles(shape.complex), shape.positions),
+                       shape.name);
+    }
+    findings.notes.push_back(std::to_string(shapes.size()) + " solids, levels 1-4");
+    return findings;
+}
+
+}  // namespace SolidSubdiv::Validation

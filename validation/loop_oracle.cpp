@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calls OpenSubdiv and copies its answers out.
+#include "loop_oracle.h"
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTable.h>
+#include <opensubdiv/far/stencilTableFactory.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefiner.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace SolidSubdiv::Validation {
+
+namespace {
+
+namespace Theirs = OpenSubdiv::Far;
+
+/// What OpenSubdiv's refiner wants of a value.
+struct Position {
+    double x[3] = {0, 0, 0};
+
+    void Clear() { x[0] = x[1] = x[2] = 0; }
+    void AddWithWeight(const Position& other, double weight) {
+        for (int i = 0; i < 3; ++i) x[i] += weight * other.x[i];
+    }
+};
+
+std::unique_ptr<Theirs::TopologyRefiner> MakeRefiner(const LoopSurface& surface, int max_level) {
+    const std::vector<int> arities(surface.triangles.size(), 3);
+    std::vector<int> corners;
+    for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
+    Theirs::TopologyDescriptor descriptor;
+    descriptor.numVertices = surface.n_vertices;
+    descriptor.numFaces = static_cast<int>(surface.triangles.size());
+    descriptor.numVertsPerFace = arities.data();
+    descriptor.vertIndicesPerFace = corners.data();
+
+    OpenSubdiv::Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(OpenSubdiv::Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    using Factory = Theirs::TopologyRefinerFactory<Theirs::TopologyDescriptor>;
+    std::unique_ptr<Theirs::TopologyRefiner> refiner(
+        Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));
+    if (!refiner) throw std::runtime_error("OpenSubdiv refuses the surface");
+    Theirs::TopologyRefiner::UniformOptions uniform(max_level);
+    uniform.fullTopologyInLastLevel = true;
+    refiner->RefineUniform(uniform);
+    return refiner;
+}
+
+void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, LoopLevel& to) {
+    to.n_vertices = from.GetNumVertices();
+    for (int f = 0; f < from.GetNumFaces(); ++f) {
+        const auto v = from.GetFaceVertices(f);
+        to.triangles.push_back({v[0], v[1], v[2]});
+    }
+    for (int e = 0; e < from.GetNumEdges(); ++e) {
+        const auto v = from.GetEdgeVertices(e);
+        to.edges.push_back({v[0], v[1]});
+        if (!is_last) to.children_of_edges.push_back(from.GetEdgeChildVertex(e));
+    }
+    for (int v = 0; v < from.GetNumVertices() && !is_last; ++v) {
+        to.children_of_vertices.push_back(from.GetVertexChildVertex(v));
+    }
+}
+
+void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::vector<LoopLevel>& levels) {
+    using Factory = Theirs::StencilTableFactoryReal<double>;
+    Factory::Options options;
+    options.generateIntermediateLevels = true;
+    options.factorizeIntermediateLevels = true;
+    options.maxLevel = static_cast<unsigned>(max_row_level);
+    const std::unique_ptr<const Theirs::StencilTableReal<double>> table(Factory::Create(refiner, options));
+    int next = 0;
+    for (int l = 1; l <= max_row_level; ++l) {
+        LoopLevel& level = levels[l];
+        level.row_offsets.push_back(0);
+        for (int v = 0; v < level.n_vertices; ++v) {
+            const auto row = table->GetStencil(next++);
+            level.row_indices.insert(level.row_indices.end(), row.GetVertexIndices(),
+                                     row.GetVertexIndices() + row.GetSize());
+            level.row_weights.insert(level.row_weights.end(), row.GetWeights(), row.GetWeights() + row.GetSize());
+            level.row_offsets.push_back(static_cast<std::int64_t>(level.row_indices.size()));
+        }
+    }
+    if (next != table->GetNumStencils()) throw std::runtime_error("OpenSubdiv's table has an unexpected length");
+}
+
+}  // namespace
+
+std::vector<LoopLevel> RefineByOpenSubdiv(const LoopSurface& surface, int max_level, int max_row_level) {
+    const auto refiner = MakeRefiner(surface, max_level);
+    std::vector<LoopLevel> levels(static_cast<std::size_t>(max_level) + 1);
+    std::vector<Position> values(static_cast<std::size_t>(surface.n_vertices)), finer;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        for (std::size_t i = 0; i < 3; ++i) values[v].x[i] = surface.positions[3 * v + i];
+    }
+    const Theirs::PrimvarRefinerReal<double> primvars(*refiner);
+    for (int l = 0; l <= max_level; ++l) {
+        LoopLevel& level = levels[l];
+        CopyTopology(refiner->GetLevel(l), l == max_level, level);
+        if (l > 0) {
+            finer.assign(static_cast<std::size_t>(level.n_vertices), {});
+            primvars.Interpolate(l, values, finer);
+            std::swap(values, finer);
+        }
+        for (const Position& p : values) level.positions.insert(level.positions.end(), p.x, p.x + 3);
+    }
+    if (max_row_level > 0) CopyRows(*refiner, max_row_level, levels);
+    return levels;
+}
+
+}  // namespace SolidSubdiv::Validation

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of validators, and running one.
+#include "validators.h"
+
+#include <array>
+#include <chrono>
+#include <exception>
+
+namespace SolidSubdiv::Validation {
+
+namespace {
+
+constexpr std::string_view kSumsOfWeights =
+    "sums of positive weights that add up to 1: a few units of round-off (2e-16) a level, and a hundred times that";
+
+constexpr std::array kValidators = {
+    Validator{"loop-boundary",
+              "boundary of box-spline solids = OpenSubdiv's Loop refinement of the boundary surface: "
+              "positions (levels 1-4) and composite rows (levels 1-3), over the shape's size",
+              1e-12, kSumsOfWeights, ValidateLoopBoundary},
+    Validator{"loop-surfaces",
+              "Loop surfaces, closed and open = OpenSubdiv's: positions (levels 1-4) and composite "
+              "rows (levels 1-3), over the shape's size",
+              1e-12, kSumsOfWeights, ValidateLoopSurfaces},
+    Validator{"counts",
+              "numbers of vertices, edges, faces and cells = those of the refined cells' vertex sets, of the "
+              "formulas, and of the paper (28 -> 7280, 20 -> 5200 cells)",
+              0, "whole numbers", ValidateCounts},
+};
+
+}  // namespace
+
+std::span<const Validator> Validators() { return kValidators; }
+
+std::string_view NameOf(Status status) {
+    switch (status) {
+        case Status::Pass:
+            return "PASS";
+        case Status::Fail:
+            return "FAIL";
+        case Status::Skipped:
+            return "SKIPPED";
+    }
+    return "";
+}
+
+Outcome Run(const Validator& validator, const Context& context) {
+    Outcome outcome;
+    outcome.validator = &validator;
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        outcome.findings = validator.run(context);
+        outcome.status = outcome.findings.Passes(validator.tolerance) ? Status::Pass : Status::Fail;
+        if (outcome.findings.n_compared == 0) outcome.reason = "nothing was compared";
+    } catch (const Unavailable& unavailable) {
+        outcome.status = Status::Skipped;
+        outcome.reason = unavailable.reason;
+    } catch (const std::exception& error) {
+        outcome.reason = error.what();
+    }
+    outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome;
+}
+
+}  // namespace SolidSubdiv::Validation

@@ -90,6 +90,9 @@ class GmshReader {
             if (!have_elements_) text().FailHere(section + " comes before the elements");
             ReadData(section == "$NodeData");
         } else {
+            if (section == "$ParametricNodes") {
+                text().FailHere("$ParametricNodes can't be read; save the mesh without parametric coordinates");
+            }
             if (section == "$PartitionedEntities")
                 mesh_.AddNote("the mesh is partitioned; its physical labels may be lost");
             if (section == "$ElementNodeData") mesh_.AddNote("$ElementNodeData is left out");

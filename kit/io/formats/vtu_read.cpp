@@ -173,6 +173,7 @@ class PieceReader {
         Integers cell_faces = IntegersOf("polyhedron_to_faces");
         const Integers cell_ends = IntegersOf("polyhedron_offsets");
         RequireSize(CellsArray("polyhedron_offsets", true), cell_ends.size(), n_cells_, 1);
+        std::vector<std::uint8_t> uses(face_ends.size(), 0);
         std::int64_t begin = 0;
         for (std::size_t cell = 0; cell < cell_ends.size(); ++cell) {
             const auto faces = Slice(cell_faces, begin, cell_ends[cell], cell, "polyhedron_to_faces");
@@ -182,6 +183,9 @@ class PieceReader {
                 if (face < 0 || face >= static_cast<std::int64_t>(face_ends.size())) {
                     Fail(builder_.file(), "cell " + std::to_string(cell) + " names face " + std::to_string(face) +
                                               ", which is not there");
+                }
+                if (++uses[static_cast<std::size_t>(face)] > 2) {
+                    Fail(builder_.file(), "face " + std::to_string(face) + " belongs to more than two cells");
                 }
                 const std::int64_t face_begin = face == 0 ? 0 : face_ends[static_cast<std::size_t>(face) - 1];
                 const auto corners =

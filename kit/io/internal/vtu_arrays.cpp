@@ -90,6 +90,7 @@ std::string VtuArrays::ReadFrom(Source source, const std::string& place) const {
     };
     if (!compressed_) {
         const std::uint64_t n_bytes = next_word();
+        CountAppended(n_bytes, place);
         std::string data = source.Read(n_bytes);
         require(data.size() == n_bytes);
         return data;
@@ -104,9 +105,17 @@ std::string VtuArrays::ReadFrom(Source source, const std::string& place) const {
         require(blocks.compressed_sizes.back() <= UINT64_MAX - total);
         total += blocks.compressed_sizes.back();
     }
+    CountAppended(total, place);
     const std::string bytes = source.Read(total);
     require(bytes.size() == total);
     return Expand(blocks, bytes, file_, place);
+}
+
+/// Arrays may share appended data, but thousands that all name the same large block are an attack on the memory.
+void VtuArrays::CountAppended(std::uint64_t n_bytes, const std::string& place) const {
+    constexpr std::uint64_t most_sharers = 16;
+    n_appended_read_ += std::min<std::uint64_t>(n_bytes, appended_.size());
+    if (n_appended_read_ > most_sharers * appended_.size()) Fail(file_, place + ": too many arrays share the appended data");
 }
 
 std::string VtuArrays::Data(const pugi::xml_node& array) const {

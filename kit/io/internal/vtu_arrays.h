@@ -34,6 +34,7 @@ class VtuArrays {
     template <class Source>
     std::string ReadFrom(Source source, const std::string& place) const;
     std::uint64_t HeaderNumber(std::string_view bytes) const;
+    void CountAppended(std::uint64_t n_bytes, const std::string& place) const;
 
     std::string_view appended_;
     bool appended_is_raw_;
@@ -41,6 +42,7 @@ class VtuArrays {
     bool swap_bytes_ = false;
     bool compressed_ = false;
     NumberType header_type_ = NumberType::UInt32;
+    mutable std::uint64_t n_appended_read_ = 0;
 };
 
 }  // namespace SolidSubdiv::Io::Internal

@@ -3,7 +3,6 @@
 #include <solidsubdiv/far/limit_stencil_table.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <solidsubdiv/far/internal/rows.h>
@@ -19,50 +18,6 @@ struct MaskRow {
     std::vector<Index> indices;
     std::vector<double> weights;
 };
-
-/// row * matrix
-std::vector<double> Multiply(const std::vector<double>& row, const LocalMatrix& m) {
-    const std::size_t n = row.size();
-    std::vector<double> product(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) product[j] += row[i] * m.weights[i * n + j];
-    }
-    return product;
-}
-
-double LargestDifference(const std::vector<double>& a, const std::vector<double>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-    return largest;
-}
-
-/// The row that the vertex's row in powers of the matrix settles to; empty if it does not.
-std::vector<double> LeftEigenvector(const LocalMatrix& m) {
-    // In regular places it is known: neighbours with a link of six have 1/20, those with a link of four 1/30. A link of
-    // four shows in the neighbour's own row, whose two ends weigh 1/4 then.
-    const std::size_t n = m.ring.size();
-    std::vector<double> row(n, 0.4);
-    for (std::size_t i = 1; i < n; ++i) row[i] = m.weights[i * n] > 0.28 ? 1.0 / 20 : 1.0 / 30;
-    constexpr double kSettled = 1e-17;
-    if (n == 15 && LargestDifference(Multiply(row, m), row) < 1e-15) return row;
-
-    constexpr int kMaxSteps = 5000;
-    row.assign(n, 0.0);
-    row[0] = 1;
-    for (int step = 0; step < kMaxSteps; ++step) {
-        std::vector<double> next = Multiply(row, m);
-        const double change = LargestDifference(next, row);
-        row = std::move(next);
-        if (!(change < 1e6)) break;
-        if (change < kSettled) {
-            double sum = 0;
-            for (double w : row) sum += w;
-            for (double& w : row) w /= sum;
-            return row;
-        }
-    }
-    return {};
-}
 
 /// Whether every edge of v's surface is smooth: not so where a sheet meets a solid's boundary, whose edges follow the
 /// curve rule there.
@@ -94,7 +49,7 @@ MaskRow LimitOf(const Level& level, const Scheme& scheme, Index v) {
         set(scheme.curve().Limit());
     } else {
         const auto m = MakeLocalMatrix(level, scheme, v);
-        mask.weights = m ? LeftEigenvector(*m) : std::vector<double>{};
+        mask.weights = m ? LimitMaskOf(*m) : std::vector<double>{};
         if (mask.weights.empty()) mask.indices.clear();
     }
     return mask;

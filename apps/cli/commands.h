@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one visible list of sub-commands. A new one is a file beside this with its Add function, and a line here.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string_view>
+
+namespace CLI {
+class App;
+}
+
+namespace SolidSubdiv::Cli {
+
+class Session;
+struct CommonOptions;
+
+/// Does the work of a sub-command whose options have been read.
+using Work = std::function<void(Session&)>;
+
+/// Adds the sub-command's own options, and the example at the end of its help.
+Work AddInfo(CLI::App& command);
+Work AddRefine(CLI::App& command);
+
+struct Command {
+    std::string_view name;
+    std::string_view summary;  ///< one line of the program's help
+    Work (*add)(CLI::App& command);
+};
+
+inline constexpr std::array kCommands = {
+    Command{"info", "what is in a file: counts, shape, boundary, regularity, defects, attributes", AddInfo},
+    Command{"refine", "refine a solid, a surface or a curve by a subdivision scheme", AddRefine},
+};
+
+}  // namespace SolidSubdiv::Cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// solidsubdiv info FILE: what is in a file.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include <solidsubdiv/apps/cli/commands.h>
+#include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/files_help.h>
+#include <solidsubdiv/apps/cli/mesh_report.h>
+#include <solidsubdiv/kit/io/formats.h>
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+void RunInfo(Session& session, const std::string& file) {
+    session.Stage("read");
+    const Io::Mesh mesh = Io::ReadMesh(file);
+    for (const std::string& note : mesh.notes) session.Note(file + ": " + note);
+
+    session.Stage("analyze");
+    Json result;
+    result["command"] = "info";
+    result["file"] = file;
+    result["format"] = Io::FormatOf(file).name;
+    result["notes"] = mesh.notes;
+    const Json description = About(file, [&] { return DescribeMesh(mesh); });
+    result.update(description);
+    session.EndStage();
+    result["seconds"] = session.Seconds();
+    session.Print(file + ": " + std::string(Io::FormatOf(file).name) + "\n" + MeshReportText(description));
+    session.Finish(result);
+}
+
+}  // namespace
+
+Work AddInfo(CLI::App& command) {
+    const auto file = std::make_shared<std::string>();
+    command.add_option("FILE", *file, "the mesh")->required()->type_name("");
+    command.footer(
+        "\nFor cells: the volume, inverted cells and cells of no volume. For tetrahedra, octahedra, triangles and "
+        "edges\n"
+        "also: components of the boundary with their Euler characteristic and genus, histograms of valences and of\n"
+        "the links of inner edges, the share of matched faces, and defects, those that make a mesh unusable too.\n\n" +
+        ReadableFilesHelp() +
+        "\n\nExample:\n"
+        "  solidsubdiv info lattice.vtu --json lattice.json");
+    return [file](Session& session) { RunInfo(session, *file); };
+}
+
+}  // namespace SolidSubdiv::Cli

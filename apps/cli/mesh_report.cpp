@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// What there is to say about a mesh, measured.
+#include <solidsubdiv/apps/cli/mesh_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include <solidsubdiv/apps/cli/diagonal_data.h>
+#include <solidsubdiv/apps/cli/mesh_kinds.h>
+#include <solidsubdiv/far/choose_diagonals.h>
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/kit/geometry/box.h>
+#include <solidsubdiv/kit/geometry/cell_volume.h>
+#include <solidsubdiv/kit/geometry/coincident_vertices.h>
+#include <solidsubdiv/kit/geometry/orientation.h>
+#include <solidsubdiv/kit/geometry/surface_components.h>
+#include <solidsubdiv/kit/geometry/valence.h>
+#include <solidsubdiv/sdc/errors.h>
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+constexpr Index kDefectsCounted = 100000;
+constexpr Index kDefectsListed = 100;
+constexpr std::size_t kPiecesListed = 100;
+constexpr std::size_t kElementsListed = 100;
+
+std::string NameOf(Far::DefectCode code) {
+    switch (code) {
+        case Far::DefectCode::IndexOutOfRange:
+            return "index out of range";
+        case Far::DefectCode::RepeatedVertex:
+            return "repeated vertex";
+        case Far::DefectCode::DuplicateElement:
+            return "duplicate element";
+        case Far::DefectCode::FaceInThreeCells:
+            return "face in three cells";
+        case Far::DefectCode::BadOffsets:
+            return "bad offsets";
+        case Far::DefectCode::InvertedCell:
+            return "neighbours oriented against each other";
+        case Far::DefectCode::NonManifoldEdge:
+            return "non-manifold edge";
+        case Far::DefectCode::NonManifoldVertex:
+            return "non-manifold vertex";
+        case Far::DefectCode::IsolatedVertex:
+            return "isolated vertex";
+        case Far::DefectCode::CoincidentElement:
+            return "coincident element";
+    }
+    return "defect";
+}
+
+Json Counts(const Io::Mesh& mesh) {
+    Json json;
+    json["vertices"] = mesh.topology.n_vertices;
+    for (const KindCount& kind : KindCounts(mesh.topology)) {
+        if (kind.count > 0) json[std::string(kind.plural)] = kind.count;
+    }
+    return json;
+}
+
+Json Bounds(const Io::Mesh& mesh) {
+    const Geometry::Box box = Geometry::BoundingBox(mesh.positions);
+    if (box.IsEmpty()) return nullptr;
+    return {{"low", box.low}, {"high", box.high}, {"diagonal", box.Diagonal()}};
+}
+
+Json Volumes(const Io::Mesh& mesh) {
+    const std::vector<double> volumes = Geometry::CellVolumes(mesh.topology.View(), mesh.positions);
+    double sum = 0, sum_of_sizes = 0, least = std::numeric_limits<double>::infinity(), greatest = -least;
+    Offset n_negative = 0;
+    for (double v : volumes) {
+        sum += v;
+        sum_of_sizes += std::abs(v);
+        least = std::min(least, v);
+        greatest = std::max(greatest, v);
+        n_negative += v < 0;
+    }
+    return {{"sum", sum},
+            {"sum_of_sizes", sum_of_sizes},
+            {"least_cell", least},
+            {"greatest_cell", greatest},
+            {"negative_cells", n_negative}};
+}
+
+/// The first elements of a list, and their number.
+Json Elements(const std::vector<Index>& elements) {
+    const auto n = static_cast<std::ptrdiff_t>(std::min(elements.size(), kElementsListed));
+    return {{"count", elements.size()}, {"first", std::vector<Index>(elements.begin(), elements.begin() + n)}};
+}
+
+Json Pieces(const std::vector<Index>& triangles, Index n_vertices) {
+    const auto pieces = Geometry::SurfaceComponents(triangles, n_vertices);
+    Json list = Json::array();
+    for (const auto& piece : pieces) {
+        if (list.size() == kPiecesListed) break;
+        const auto genus = piece.Genus();
+        list.push_back({{"triangles", piece.n_triangles},
+                        {"vertices", piece.n_vertices},
+                        {"edges", piece.n_edges},
+                        {"euler_characteristic", piece.EulerCharacteristic()},
+                        {"genus", genus ? Json(*genus) : Json(nullptr)},
+                        {"manifold", piece.IsManifold()},
+                        {"closed", piece.IsClosed()},
+                        {"border_loops", piece.n_border_loops},
+                        {"flipped_edges", piece.n_flipped_edges}});
+    }
+    return {{"count", pieces.size()}, {"components", list}};
+}
+
+/// Pieces of the solids' boundary and of what is surface only.
+void AddSurfaces(const Vtr::Level& level, Json& json) {
+    std::vector<Index> boundary, surface;
+    for (Index b = 0; b < level.n_boundary_faces; ++b) {
+        auto& triangles = level.face_tags[level.boundary_faces[b]].n_cells() == 0 ? surface : boundary;
+        const auto v = level.BoundaryVertices(b);
+        triangles.insert(triangles.end(), v.begin(), v.end());
+    }
+    if (!boundary.empty()) json["boundary"] = Pieces(boundary, level.n_vertices);
+    if (!surface.empty()) json["surface"] = Pieces(surface, level.n_vertices);
+}
+
+/// {"value": how many, ...}
+Json HistogramJson(const Geometry::Histogram& histogram) {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < histogram.size(); ++k) {
+        if (histogram[k] > 0) json[std::to_string(k)] = histogram[k];
+    }
+    return json;
+}
+
+void AddRegularity(const Vtr::Level& level, Json& json) {
+    const Geometry::ValenceHistograms h = Geometry::MeasureValences(level);
+    json["valence"] = {{"edges_at_vertices", HistogramJson(h.vertex_edges)},
+                       {"adjacent_inside_solids", HistogramJson(h.solid_adjacent)},
+                       {"edges_on_surfaces", HistogramJson(h.surface_edges)}};
+    json["links"] = HistogramJson(h.links);
+}
+
+void AddMatching(const Io::Mesh& mesh, Json& json) {
+    const auto topology = mesh.topology.View();
+    const auto first = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::First);
+    const auto matched = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::Matched);
+    Json& faces = json["matched_faces"];
+    faces = {{"inner_faces", first.n_inner_faces},
+             {"as_ordered", first.MatchedShare()},
+             {"matched", matched.MatchedShare()}};
+    const auto given = FindDiagonalData(mesh);
+    if (!given) return;
+    faces["given"] = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::Given, {}, *given).MatchedShare();
+}
+
+Json Attributes(const std::vector<Io::Attribute>& attributes) {
+    Json list = Json::array();
+    for (const Io::Attribute& a : attributes) {
+        const auto width = static_cast<std::size_t>(a.width);
+        std::vector<double> low(width, std::numeric_limits<double>::infinity()), high(width, -low[0]);
+        for (std::size_t i = 0; i < a.values.size(); ++i) {
+            low[i % width] = std::min(low[i % width], a.values[i]);
+            high[i % width] = std::max(high[i % width], a.values[i]);
+        }
+        Json json = {{"name", a.name}, {"width", a.width}};
+        if (!a.values.empty()) {
+            json["low"] = low;
+            json["high"] = high;
+        }
+        list.push_back(json);
+    }
+    return list;
+}
+
+}  // namespace
+
+Json DescribeDefects(const std::vector<Far::Defect>& defects, Index at_most, Index listed) {
+    std::map<Far::DefectCode, std::vector<const Far::Defect*>> by_code;
+    for (const Far::Defect& defect : defects) by_code[defect.code].push_back(&defect);
+    Json list = Json::array();
+    for (const auto& [code, found] : by_code) {
+        Json first = Json::array();
+        for (const Far::Defect* defect : found) {
+            if (static_cast<Index>(first.size()) == listed) break;
+            first.push_back({{"element", defect->element}, {"measure", defect->measure}, {"text", defect->text}});
+        }
+        list.push_back({{"code", NameOf(code)},
+                        {"fatal", found[0]->IsFatal()},
+                        {"count", found.size()},
+                        {"count_is_complete", static_cast<Index>(found.size()) < at_most},
+                        {"first", first}});
+    }
+    return list;
+}
+
+Json DescribeDefects(const Far::TopologyDescriptor& topology, Index at_most, Index listed) {
+    return DescribeDefects(Far::Validate(topology, at_most), at_most, listed);
+}
+
+Json DescribeMesh(const Io::Mesh& mesh) {
+    const Io::Topology& topology = mesh.topology;
+    Json json;
+    json["counts"] = Counts(mesh);
+    json["bounding_box"] = Bounds(mesh);
+    if (topology.n_cells() > 0) json["volume"] = Volumes(mesh);
+    json["coincident_vertices"] = Elements(Geometry::FindCoincidentVertices(mesh.positions));
+    if (topology.n_tets() + topology.n_octs() > 0) {
+        const auto found = Geometry::FindInvertedCells(topology.tets, topology.octs, mesh.positions);
+        json["inverted"] = {{"tetrahedra", Elements(found.inverted_tets)},
+                            {"octahedra", Elements(found.inverted_octs)}};
+        json["zero_volume"] = {{"tetrahedra", Elements(found.flat_tets)}, {"octahedra", Elements(found.flat_octs)}};
+    }
+    json["point_data"] = Attributes(mesh.point_data);
+    json["cell_data"] = Attributes(mesh.cell_data);
+
+    if (!IsTetOct(topology)) {
+        json["analysis"] =
+            "boundary, valences and defects are found for tetrahedra, octahedra, triangles and edges only";
+        return json;
+    }
+    // Single vertices are tags; the level knows nothing of them.
+    json["defects"] = DescribeDefects(topology.View(), kDefectsCounted, kDefectsListed);
+    const Json& defects = json["defects"];
+    if (std::any_of(defects.begin(), defects.end(), [](const Json& d) { return d["fatal"].get<bool>(); })) {
+        json["analysis"] = "boundary and valences are not found while there are fatal defects";
+        return json;
+    }
+    const auto refiner = Far::TopologyRefiner::Create(topology.View(), Sdc::Split::TetOct);
+    AddSurfaces(refiner.level(0), json);
+    AddRegularity(refiner.level(0), json);
+    if (topology.n_cells() > 0) AddMatching(mesh, json);
+    json["analysis"] = "complete";
+    return json;
+}
+
+}  // namespace SolidSubdiv::Cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Output files that all appear when everything has succeeded, and otherwise not at all.
+#include <solidsubdiv/apps/cli/outputs.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include <solidsubdiv/apps/cli/common.h>
+
+namespace SolidSubdiv::Cli {
+
+namespace fs = std::filesystem;
+
+Outputs::~Outputs() {
+    std::error_code ignored;
+    for (const fs::path& folder : folders_) fs::remove_all(folder, ignored);
+}
+
+fs::path Outputs::FolderBeside(const fs::path& file) {
+    const fs::path folder = file.parent_path() / (".solidsubdiv-" + std::to_string(getpid()));
+    if (std::find(folders_.begin(), folders_.end(), folder) != folders_.end()) return folder;
+    std::error_code error;
+    const fs::path parent = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (!fs::is_directory(parent, error)) {
+        throw IoError(file.string() + ": can't be written: there is no folder " + parent.string() + "; create it");
+    }
+    fs::create_directory(folder, error);
+    if (error) throw IoError(file.string() + ": can't be written: " + error.message());
+    folders_.push_back(folder);
+    return folder;
+}
+
+fs::path Outputs::Stage(const fs::path& file) {
+    std::error_code error;
+    if (file.filename().empty()) throw IoError("'" + file.string() + "': names no file");
+    // What a link points to is written, and the link stays.
+    const fs::path final = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
+    if (fs::is_directory(final, error)) throw IoError(file.string() + ": is a directory; name a file");
+    if (fs::exists(final, error) && !fs::is_regular_file(final, error)) {
+        throw IoError(file.string() + ": is not a regular file");
+    }
+    const fs::path absolute = fs::absolute(final, error).lexically_normal();
+    if (std::find(files_.begin(), files_.end(), absolute) != files_.end()) {
+        throw UsageError(file.string() + ": two outputs have this name");
+    }
+    const fs::path temporary = FolderBeside(final) / final.filename();
+    files_.push_back(absolute);
+    return temporary;
+}
+
+void Outputs::Commit() {
+    for (const fs::path& folder : folders_) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+            const fs::path final = folder.parent_path() / entry.path().filename();
+            std::error_code error;
+            fs::rename(entry.path(), final, error);
+            if (error) throw IoError(final.string() + ": can't be written: " + error.message());
+        }
+    }
+}
+
+std::string Outputs::WithFinalNames(std::string text) const {
+    for (const fs::path& folder : folders_) {
+        const std::string hidden = (folder / "").string(), open = (folder.parent_path() / "").string();
+        for (std::size_t at = text.find(hidden); at != std::string::npos; at = text.find(hidden, at)) {
+            text.replace(at, hidden.size(), open);
+        }
+    }
+    return text;
+}
+
+}  // namespace SolidSubdiv::Cli

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+// solidsubdiv refine IN -o OUT: refines a solid, a surface or a curve.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include <solidsubdiv/apps/cli/commands.h>
+#include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/files_help.h>
+#include <solidsubdiv/apps/cli/matrix_market.h>
+#include <solidsubdiv/apps/cli/mesh_kinds.h>
+#include <solidsubdiv/apps/cli/mesh_report.h>
+#include <solidsubdiv/apps/cli/refinement.h>
+#include <solidsubdiv/kit/io/formats.h>
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+#include <solidsubdiv/apps/cli/panels.h>
+#endif
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+struct RefineOptions {
+    std::string input, output, boundary, stencils, picture;
+    SchemeOptions scheme;
+    int levels = 1;
+    std::string orient = "repair";
+    bool limit = false, keep_octahedra = false, ascii = false;
+};
+
+class RefineCommand {
+  public:
+    RefineCommand(const RefineOptions& options, Session& session) : options_(options), session_(session) {}
+
+    void Run() {
+        Announce();
+        session_.Stage("read");
+        Io::Mesh mesh = Io::ReadMesh(options_.input);
+        for (const std::string& note : mesh.notes) session_.Note(options_.input + ": " + note);
+        json_["input"] = {{"file", options_.input}, {"vertices", mesh.topology.n_vertices}};
+        for (const KindCount& kind : KindCounts(mesh.topology)) {
+            if (kind.count > 0) json_["input"][std::string(kind.plural)] = kind.count;
+        }
+        RefinementSettings settings = Settings(mesh);
+        RequireFormats(mesh);
+        About(options_.input, [&] {
+            const Refinement refinement(std::move(mesh), settings, session_);
+            Warn(refinement);
+            Write(refinement, settings);
+            Describe(refinement);
+        });
+        json_["seconds"] = session_.Seconds();
+        session_.Finish(json_);
+    }
+
+  private:
+    /// All names of outputs are tried before any work.
+    void Announce() {
+        const auto stage = [&](const std::string& file, bool is_mesh) {
+            if (file.empty()) return std::filesystem::path();
+            if (is_mesh && !FormatFor(file).write) {
+                throw UsageError(file + ": " + std::string(FormatFor(file).name) + " files are only read");
+            }
+            return session_.outputs().Stage(file);
+        };
+        output_ = stage(options_.output, true);
+        boundary_ = stage(options_.boundary, true);
+        stencils_ = stage(options_.stencils, false);
+        picture_ = stage(options_.picture, false);
+        if (!options_.boundary.empty() && !FormatFor(options_.boundary).surfaces) {
+            throw UsageError(options_.boundary + ": " + std::string(FormatFor(options_.boundary).name) +
+                             " files can't hold a surface");
+        }
+        if (options_.limit && !options_.stencils.empty()) {
+            throw UsageError("--stencils writes the weights of refined vertices; leave out --limit");
+        }
+    }
+
+    static const Io::Format& FormatFor(const std::string& file) {
+        try {
+            return Io::FormatOf(file);
+        } catch (const IoError& error) {
+            throw UsageError(error.what());
+        }
+    }
+
+    RefinementSettings Settings(const Io::Mesh& mesh) {
+        const Io::Topology& topology = mesh.topology;
+        RefinementSettings settings;
+        settings.choice = MakeScheme(options_.scheme, topology.n_cells() > 0);
+        settings.levels = options_.levels;
+        settings.orient = Geometry::OrientationPolicyOf(options_.orient);
+        settings.limit = options_.limit;
+        settings.keep_first = !options_.picture.empty() && options_.levels > 1;
+        Json& json = json_["settings"];
+        json = {{"scheme", Sdc::NameOf(settings.choice.scheme)}};
+        for (const auto& [name, value] : options_.scheme.values) json[name] = value;
+        json["levels"] = options_.levels;
+        json["diagonals"] = options_.scheme.diagonals;
+        json["orient"] = options_.orient;
+        json["limit"] = options_.limit;
+        json["keep_octahedra"] = options_.keep_octahedra;
+        json["threads"] = Sdc::ThreadCount();
+        return settings;
+    }
+
+    /// What can't be written is refused before it is computed.
+    void RequireFormats(const Io::Mesh& mesh) const {
+        const Io::Format& format = FormatFor(options_.output);
+        if (mesh.topology.n_cells() > 0 && !format.solids) {
+            throw IoError(options_.output + ": " + std::string(format.name) +
+                          " files can't hold cells; name a .vtu file, and the boundary with --boundary");
+        }
+        if (mesh.topology.n_cells() == 0 && !format.surfaces) {
+            throw IoError(options_.output + ": " + std::string(format.name) +
+                          " files hold cells only, and there are none; name a .vtu or .obj file");
+        }
+        if (mesh.topology.n_cells() + mesh.topology.n_triangles() == 0 && !options_.boundary.empty()) {
+            throw InvalidInput(options_.input + ": has no faces for --boundary; leave it out");
+        }
+    }
+
+    void Warn(const Refinement& refinement) {
+        const auto& orientation = refinement.orientation();
+        if (orientation.n_inverted() > 0) {
+            session_.Note(options_.input + ": " + Counted(orientation.n_inverted(), "inverted cell", "inverted cells") +
+                          (options_.orient == "repair" ? " turned by swapping two vertices (--orient)" : " kept"));
+        }
+        if (orientation.n_flat() > 0) {
+            session_.Note(options_.input + ": " + Counted(orientation.n_flat(), "cell", "cells") + " of no volume");
+        }
+        if (refinement.n_tags() > 0) {
+            session_.Note(options_.input + ": " + Counted(refinement.n_tags(), "element lies", "elements lie") +
+                          " on a part of higher dimension; such tags make no creases yet and are not written");
+        }
+        if (refinement.n_without_limit() > 0) {
+            session_.Note(options_.input + ": " + Counted(refinement.n_without_limit(), "vertex", "vertices") +
+                          " without a limit left in place");
+        }
+        for (const Json& code : DescribeDefects(refinement.refiner().defects(), 100, 1)) {
+            const std::string name = code["code"].get<std::string>();
+            if (name == "coincident element") continue;
+            session_.Note(options_.input + ": " + name + ": " +
+                          (code["count_is_complete"].get<bool>() ? "" : "at least ") + code["count"].dump() +
+                          "; the first: " + code["first"][0]["text"].get<std::string>());
+        }
+    }
+
+    void Write(const Refinement& refinement, const RefinementSettings& settings) {
+        session_.Stage("write");
+        const Io::WriteOptions how{.keep_octahedra = options_.keep_octahedra, .binary = !options_.ascii};
+        Io::WriteMesh(output_, refinement.result(), how);
+        AddOutput("mesh", options_.output, output_);
+        if (!boundary_.empty()) {
+            Io::WriteMesh(boundary_, refinement.Boundary(), how);
+            AddOutput("boundary", options_.boundary, boundary_);
+        }
+        if (!stencils_.empty()) WriteStencils(refinement, settings);
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+        if (!picture_.empty()) {
+            session_.Stage("picture");
+            WriteRefinementPicture(picture_,
+                                   {.refiner = refinement.refiner(),
+                                    .control_positions = refinement.control().positions,
+                                    .first_positions = refinement.first_positions(),
+                                    .last = refinement.result()},
+                                   session_.progress());
+            AddOutput("picture", options_.picture, picture_);
+        }
+#endif
+        session_.EndStage();
+    }
+
+    void WriteStencils(const Refinement& refinement, const RefinementSettings& settings) {
+        const auto counts = refinement.refiner().CountsAt(options_.levels);
+        session_.Note(options_.stencils + ": " + Counted(counts.n_vertices, "row", "rows") + " over " +
+                      Counted(refinement.control().topology.n_vertices, "control vertex", "control vertices") +
+                      " are composed");
+        session_.Stage("compose");
+        const auto table =
+            Far::StencilTable::CreateComposite(refinement.refiner(), settings.choice.scheme,
+                                               {{.level = options_.levels, .vertices = {}}}, session_.progress());
+        const auto& rows = table.level(1);
+        session_.Note(options_.stencils + ": " + Counted(rows.n_weights(), "weight", "weights") + ", " +
+                      Far::BytesText(rows.Bytes()) + " in memory, about " +
+                      Far::BytesText(kTextBytesOfWeight * rows.n_weights()) + " as text");
+        session_.Stage("write stencils");
+        WriteMatrixMarket(stencils_, rows, session_.progress());
+        AddOutput("stencils", options_.stencils, stencils_);
+        Json& output = json_["outputs"].back();
+        output["rows"] = rows.n_rows();
+        output["columns"] = rows.n_sources;
+        output["weights"] = rows.n_weights();
+    }
+
+    void AddOutput(const std::string& what, const std::string& file, const std::filesystem::path& written) {
+        std::error_code error;
+        const auto size = static_cast<Offset>(std::filesystem::file_size(written, error));
+        json_["outputs"].push_back({{"what", what}, {"file", file}, {"bytes", error ? 0 : size}});
+        said_ += "\nwrote " + file + " (" + Far::BytesText(size) + ")";
+    }
+
+    void Describe(const Refinement& refinement) {
+        const Far::TopologyRefiner& refiner = refinement.refiner();
+        std::string text;
+        for (int i = 0; i <= options_.levels; ++i) {
+            const Vtr::Counts c = refiner.CountsAt(i);
+            json_["levels"].push_back({{"vertices", c.n_vertices},
+                                       {"edges", c.n_edges},
+                                       {"faces", c.n_faces},
+                                       {"tetrahedra", c.n_tets},
+                                       {"octahedra", c.n_octs},
+                                       {"cells", c.n_cells()},
+                                       {"boundary_faces", c.n_boundary_faces}});
+            text += "level " + std::to_string(i) + ": " + Counted(c.n_vertices, "vertex", "vertices");
+            if (c.n_cells() > 0) {
+                text += ", " + Counted(c.n_cells(), "cell", "cells") + " (" + Counted(c.n_tets, "tet", "tets") + ", " +
+                        Counted(c.n_octs, "oct", "octs") + ")";
+            }
+            if (c.n_boundary_faces > 0) {
+                text += ", " + Counted(c.n_boundary_faces, "boundary face", "boundary faces");
+            }
+            text += "\n";
+        }
+        json_["bytes"] = {{"topology", refiner.Bytes()}, {"stencils", refinement.stencil_bytes()}};
+        json_["orientation"] = {{"inverted", refinement.orientation().n_inverted()},
+                                {"zero_volume", refinement.orientation().n_flat()}};
+        json_["defects"] = DescribeDefects(refiner.defects(), 100, 100);
+        const Far::DiagonalChoice& diagonals = refinement.diagonals();
+        if (refinement.control().topology.n_cells() > 0) {
+            json_["matched_faces"] = {{"inner_faces", diagonals.n_inner_faces},
+                                      {"matched", diagonals.n_matched_faces},
+                                      {"share", diagonals.MatchedShare()}};
+            char share[32];
+            std::snprintf(share, sizeof share, "%.1f %%", 100 * diagonals.MatchedShare());
+            if (options_.scheme.diagonals != "averaged") {
+                text += std::string("diagonals: ") + options_.scheme.diagonals + ", " + share + " of " +
+                        Counted(diagonals.n_inner_faces, "inner face", "inner faces") + " matched\n";
+            }
+        }
+        session_.Print(text + said_.substr(1));
+    }
+
+    /// A usual line of the file: row, column, weight.
+    static constexpr Offset kTextBytesOfWeight = 34;
+
+    const RefineOptions& options_;
+    Session& session_;
+    std::filesystem::path output_, boundary_, stencils_, picture_;
+    Json json_ = {{"command", "refine"}};
+    std::string said_;
+};
+
+void AddOutputOptions(CLI::App& command, RefineOptions& o) {
+    command.add_flag("--keep-octahedra", o.keep_octahedra,
+                     "write octahedra as polyhedra (.vtu, .vtk);\nelse as four tets around the major diagonal");
+    command.add_flag("--ascii", o.ascii, "write text where the format has a binary form too");
+    command.add_option("--boundary", o.boundary, "write the boundary surface too")->type_name("FILE");
+    command
+        .add_option("--stencils", o.stencils,
+                    "write the weights of each refined vertex (row) over the\n"
+                    "control vertices (columns) as a Matrix Market file")
+        ->type_name("FILE");
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+    command
+        .add_option("--picture", o.picture,
+                    "draw control lattice, first level, last level and a cut\nthrough it, as a PNG")
+        ->type_name("FILE");
+#endif
+}
+
+}  // namespace
+
+Work AddRefine(CLI::App& command) {
+    const auto options = std::make_shared<RefineOptions>();
+    RefineOptions& o = *options;
+    command.add_option("IN", o.input, "the control mesh: tets and octs, triangles, edges, or a mix")
+        ->required()
+        ->type_name("");
+    command.add_option("-o,--output", o.output, "the refined mesh; the extension chooses the format")
+        ->required()
+        ->type_name("OUT");
+    command.add_option("--levels", o.levels, "how many times every element is split; default 1")
+        ->type_name("N")
+        ->check(CLI::Range(0, 20));
+    AddSchemeOptions(command, o.scheme);
+    command
+        .add_option("--orient", o.orient,
+                    "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
+        ->type_name("repair|keep|refuse")
+        ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
+    command.add_flag("--limit", o.limit, "move the vertices of the last level to their limits");
+    AddOutputOptions(command, o);
+    command.footer(
+        "\nPoints come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
+        "level by level. Point data are refined like positions; cells inherit the data of their control cells, and\n"
+        "carry their diagonals as cell data 'diagonal'.\n\n" +
+        SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + WritableFilesHelp() +
+        "\n\nExample:\n"
+        "  solidsubdiv refine lattice.vtu -o solid.vtu --levels 2 --boundary solid.obj\n"
+        "  solidsubdiv refine lattice.vtu -o solid.vtu --scheme linear-solid --diagonals shortest --json -");
+    return [options](Session& session) { RefineCommand(*options, session).Run(); };
+}
+
+}  // namespace SolidSubdiv::Cli

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of `refine`.
+#include <solidsubdiv/apps/cli/refinement.h>
+
+#include <algorithm>
+
+#include <solidsubdiv/apps/cli/diagonal_data.h>
+#include <solidsubdiv/apps/cli/refined_mesh.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
+#include <solidsubdiv/kit/geometry/compact_surface.h>
+#include <solidsubdiv/osd/evaluator.h>
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+/// The descriptor of a mesh with other vertex orders of its cells.
+Far::TopologyDescriptor Reordered(const Io::Topology& topology, const Far::DiagonalChoice& choice) {
+    Far::TopologyDescriptor descriptor = topology.View();
+    descriptor.tets = choice.tets;
+    descriptor.octs = choice.octs;
+    return descriptor;
+}
+
+/// Data of every element but the diagonals, which are made anew.
+template <class Rows>
+void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
+    for (const Io::Attribute& attribute : from.cell_data) {
+        if (attribute.name != kDiagonalName) to.cell_data.push_back(rows(attribute));
+    }
+}
+
+void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
+    if (mesh.topology.n_cells() == 0) return;
+    values.resize(static_cast<std::size_t>(mesh.topology.n_elements()), 0.0);
+    mesh.cell_data.push_back({std::string(kDiagonalName), 1, std::move(values)});
+}
+
+}  // namespace
+
+Refinement::Refinement(Io::Mesh control, const RefinementSettings& settings, Session& session)
+    : settings_(settings), session_(session), control_(std::move(control)) {
+    session.Stage("orient");
+    Orient();
+    session.Stage("diagonals");
+    ChooseDiagonals();
+    session.Stage("topology");
+    RefineTopology();
+    Evaluate();
+    session.Stage("gather");
+    if (settings_.levels == 0) {
+        GatherControl();
+    } else {
+        GatherElements();
+    }
+    session.EndStage();
+}
+
+void Refinement::Orient() {
+    orientation_ =
+        Geometry::OrientCells(control_.topology.tets, control_.topology.octs, control_.positions, settings_.orient);
+}
+
+void Refinement::ChooseDiagonals() {
+    std::vector<std::uint8_t> given;
+    if (settings_.choice.diagonals == Far::DiagonalPolicy::Given && control_.topology.n_cells() > 0) {
+        given = RequireDiagonalData(control_);
+    }
+    // Kinds that can't be refined are refused with their names; that comes before anything is said of diagonals.
+    if (!refiner_ && control_.topology.n_tets() + control_.topology.n_octs() != control_.topology.n_cells()) {
+        Far::TopologyRefiner::Create(control_.topology.View(), Sdc::Split::TetOct);
+    }
+    diagonals_ = Far::ChooseDiagonals(control_.topology.View(), settings_.choice.diagonals, control_.positions, given);
+}
+
+void Refinement::RefineTopology() {
+    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_), Sdc::Split::TetOct);
+    refiner_->RefineUniform({.max_level = settings_.levels,
+                             .full_topology_in_last_level = settings_.limit,
+                             .progress = session_.progress()});
+}
+
+void Refinement::Evaluate() {
+    result_.positions = control_.positions;
+    result_.point_data = control_.point_data;
+    session_.Stage("stencils");
+    const auto table = Far::StencilTable::Create(*refiner_, settings_.choice.scheme, {.progress = session_.progress()});
+    stencil_bytes_ = table.Bytes();
+    session_.Stage("evaluate");
+    if (settings_.levels > 0) {
+        Osd::Evaluator evaluator(table, Osd::Backend::Best());
+        const auto n = static_cast<std::size_t>(evaluator.n_refined_vertices());
+        const auto evaluate = [&](std::vector<double>& values, int width) {
+            std::vector<double> refined(n * static_cast<std::size_t>(width));
+            evaluator.Evaluate(values, refined, width);
+            values = std::move(refined);
+        };
+        evaluate(result_.positions, 3);
+        for (Io::Attribute& attribute : result_.point_data) evaluate(attribute.values, attribute.width);
+        if (settings_.keep_first) {
+            first_positions_.resize(3 * static_cast<std::size_t>(refiner_->level(1).n_vertices));
+            evaluator.EvaluateRange(1, Osd::BufferView<const double>(control_.positions, 3),
+                                    Osd::BufferView<double>(first_positions_, 3), 0, refiner_->level(1).n_vertices);
+        }
+    }
+    if (settings_.limit) ApplyLimit();
+}
+
+void Refinement::ApplyLimit() {
+    session_.Stage("limit");
+    const auto limit = Far::LimitStencilTable::Create(*refiner_, settings_.choice.scheme);
+    n_without_limit_ = static_cast<Offset>(limit.without_limit().size());
+    const auto table = Far::StencilTable::FromRows(limit.rows().n_sources, {limit.rows()});
+    Osd::Evaluator evaluator(table, Osd::Backend::Best());
+    const auto push = [&](std::vector<double>& values, int width) {
+        std::vector<double> pushed(values.size());
+        evaluator.Evaluate(values, pushed, width);
+        for (Index v : limit.without_limit()) {  // stays where it is
+            std::copy_n(values.begin() + Offset{width} * v, width, pushed.begin() + Offset{width} * v);
+        }
+        values = std::move(pushed);
+    };
+    push(result_.positions, 3);
+    for (Io::Attribute& attribute : result_.point_data) push(attribute.values, attribute.width);
+}
+
+void Refinement::GatherElements() {
+    const RefinedElements elements(control_.topology, *refiner_);
+    n_tags_ = elements.n_tags() + control_.topology.n_point_elements();
+    result_.topology = elements.At(settings_.levels);
+    std::vector<Offset> rows;
+    CopyCellData(control_, result_, [&](const Io::Attribute& attribute) {
+        if (rows.empty()) rows = elements.ControlRows(settings_.levels);
+        return InheritedRows(attribute, rows);
+    });
+    AddDiagonals(result_, {});
+}
+
+void Refinement::GatherControl() {
+    // Tets stay as they came, with their diagonals beside them. Octs take theirs in their order: it decides how they
+    // are cut for formats that don't hold them.
+    result_.topology = control_.topology;
+    result_.topology.octs = diagonals_.octs;
+    CopyCellData(control_, result_, [](const Io::Attribute& attribute) { return attribute; });
+    const auto first = diagonals_.diagonals.begin();
+    AddDiagonals(result_, {first, first + control_.topology.n_tets()});
+}
+
+Io::Mesh Refinement::Boundary() const {
+    const Geometry::CompactSurface surface = Geometry::ExtractBoundary(refiner_->level(settings_.levels));
+    Io::Mesh mesh;
+    mesh.topology.n_vertices = static_cast<Index>(surface.vertices.size());
+    mesh.topology.triangles = surface.triangles;
+    mesh.positions = Geometry::GatherRows(result_.positions, 3, surface.vertices);
+    for (const Io::Attribute& a : result_.point_data) {
+        mesh.point_data.push_back({a.name, a.width, Geometry::GatherRows(a.values, a.width, surface.vertices)});
+    }
+    return mesh;
+}
+
+}  // namespace SolidSubdiv::Cli

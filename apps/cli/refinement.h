@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of `refine` in their order: orient, choose diagonals, refine topology, evaluate, gather elements.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/scheme_options.h>
+#include <solidsubdiv/far/stencil_table.h>
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/kit/geometry/orientation.h>
+#include <solidsubdiv/kit/io/mesh.h>
+
+namespace SolidSubdiv::Cli {
+
+struct RefinementSettings {
+    SchemeChoice choice;
+    int levels = 1;
+    Geometry::OrientationPolicy orient = Geometry::OrientationPolicy::Repair;
+    bool limit = false;       ///< push the vertices of the last level to their limits
+    bool keep_first = false;  ///< keep the positions of level 1 for a picture
+};
+
+class Refinement {
+  public:
+    /// Does all steps. @throws InvalidInput about the mesh, Cancelled
+    Refinement(Io::Mesh control, const RefinementSettings& settings, Session& session);
+
+    const Io::Mesh& control() const { return control_; }  ///< oriented
+    const Geometry::OrientationReport& orientation() const { return orientation_; }
+    const Far::DiagonalChoice& diagonals() const { return diagonals_; }
+    const Far::TopologyRefiner& refiner() const { return *refiner_; }
+    Offset stencil_bytes() const { return stencil_bytes_; }
+    Offset n_tags() const { return n_tags_; }  ///< elements of the input that lie on parts of higher dimension
+    Offset n_without_limit() const { return n_without_limit_; }
+    const std::vector<double>& first_positions() const { return first_positions_; }
+
+    /// Elements, positions and data of the last level.
+    const Io::Mesh& result() const { return result_; }
+
+    /// The boundary of the last level, over its own vertices, with their data.
+    Io::Mesh Boundary() const;
+
+  private:
+    void Orient();
+    void ChooseDiagonals();
+    void RefineTopology();
+    void Evaluate();
+    void ApplyLimit();
+    void GatherElements();
+    void GatherControl();
+
+    RefinementSettings settings_;
+    Session& session_;
+    Io::Mesh control_, result_;
+    Geometry::OrientationReport orientation_;
+    Far::DiagonalChoice diagonals_;
+    std::optional<Far::TopologyRefiner> refiner_;
+    std::vector<double> first_positions_;
+    Offset stencil_bytes_ = 0;
+    Offset n_tags_ = 0;
+    Offset n_without_limit_ = 0;
+};
+
+}  // namespace SolidSubdiv::Cli

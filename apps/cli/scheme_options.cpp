@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The choice of a scheme and its options on the command line.
+#include <solidsubdiv/apps/cli/scheme_options.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <set>
+
+#include <solidsubdiv/apps/cli/common.h>
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+/// --diagonals has this scheme option as one of its values.
+constexpr std::string_view kDiagonalsOption = "diagonals";
+
+struct MergedOption {
+    std::string name, values, help;
+};
+
+/// Every option of every scheme, one entry a name; the help says whose it is.
+std::vector<MergedOption> MergedOptions() {
+    std::vector<MergedOption> merged;
+    Sdc::ForEachScheme([&](auto scheme) {
+        for (const Sdc::OptionInfo& option : scheme.kOptions) {
+            if (option.name == kDiagonalsOption) continue;
+            const std::string help = std::string(scheme.kName) + ": " + std::string(option.help) +
+                                     (option.unit.empty() ? "" : " (" + std::string(option.unit) + ")") + "; default " +
+                                     std::string(option.initial);
+            const auto known = std::find_if(merged.begin(), merged.end(),
+                                            [&](const MergedOption& m) { return m.name == option.name; });
+            if (known == merged.end()) {
+                merged.push_back({std::string(option.name), std::string(option.values), help});
+            } else {
+                known->help += "\n" + help;
+            }
+        }
+    });
+    return merged;
+}
+
+std::string SchemeNames() {
+    std::string names;
+    Sdc::ForEachScheme([&](auto scheme) { names += (names.empty() ? "" : "|") + std::string(scheme.kName); });
+    return names;
+}
+
+}  // namespace
+
+void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
+    command.add_option("--scheme", options.scheme, "the scheme; default: box-spline for solids, loop for surfaces")
+        ->type_name(SchemeNames());
+    command
+        .add_option("--diagonals", options.diagonals,
+                    "which diagonal the octahedron in each tet gets; default matched:\n"
+                    "as many inner faces as possible agree with both their cells\n"
+                    "shortest: by length; first: as the cells are ordered;\n"
+                    "given: by the cell data 'diagonal' (0, 1 or 2);\n"
+                    "averaged: box-spline's mask without diagonals")
+        ->type_name("matched|shortest|first|averaged|given")
+        ->check(CLI::IsMember(std::set<std::string>{"matched", "shortest", "first", "averaged", "given"}));
+    for (const MergedOption& option : MergedOptions()) {
+        const std::string name = option.name;
+        command
+            .add_option_function<std::string>(
+                "--" + name, [&options, name](const std::string& value) { options.values.emplace_back(name, value); },
+                option.help)
+            ->type_name(option.values);
+    }
+}
+
+SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid) {
+    SchemeChoice choice;
+    try {
+        choice.scheme = Sdc::SchemeOf(!options.scheme.empty() ? options.scheme : is_solid ? "box-spline" : "loop");
+        for (const auto& [name, value] : options.values) Sdc::SetOption(choice.scheme, name, value);
+        if (options.diagonals == "averaged") {
+            Sdc::SetOption(choice.scheme, kDiagonalsOption, options.diagonals);
+            choice.diagonals = Far::DiagonalPolicy::First;
+        } else {
+            choice.diagonals = Far::DiagonalPolicyOf(options.diagonals);
+        }
+        std::visit([](const auto& s) { s.Validate(); }, choice.scheme);
+    } catch (const InvalidInput& error) {
+        throw UsageError(error.what());
+    }
+    return choice;
+}
+
+std::string SchemesHelp() {
+    std::string text = "Schemes:";
+    Sdc::ForEachScheme([&](auto scheme) {
+        std::string name(scheme.kName);
+        name.resize(std::max<std::size_t>(name.size() + 1, 16), ' ');
+        text += "\n  " + name + std::string(scheme.kSummary);
+    });
+    return text;
+}
+
+}  // namespace SolidSubdiv::Cli

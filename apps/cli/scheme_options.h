@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The choice of a scheme and its options on the command line; names, ranges and help come from the schemes' own tables.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <solidsubdiv/far/choose_diagonals.h>
+#include <solidsubdiv/sdc/schemes.h>
+
+namespace CLI {
+class App;
+}
+
+namespace SolidSubdiv::Cli {
+
+struct SchemeOptions {
+    std::string scheme;  ///< empty: box-spline for solids, loop for surfaces and curves
+    std::vector<std::pair<std::string, std::string>> values;
+    std::string diagonals = "matched";  ///< a policy, or averaged
+};
+
+/// Adds --scheme, --diagonals and one option for each name in the schemes' tables. `options` must outlive the command.
+void AddSchemeOptions(CLI::App& command, SchemeOptions& options);
+
+struct SchemeChoice {
+    Sdc::Scheme scheme;
+    Far::DiagonalPolicy diagonals = Far::DiagonalPolicy::Matched;
+};
+
+/// @throws UsageError for unknown names and values, and where they contradict each other
+SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid);
+
+/// Lines on the schemes that there are, for the help.
+std::string SchemesHelp();
+
+}  // namespace SolidSubdiv::Cli

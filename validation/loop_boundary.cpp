@@ -13,6 +13,7 @@ Findings ValidateLoopBoundary(const Context& context) {
     Findings findings;
     std::vector<SolidShape> shapes = ManifoldShapes();
     for (SolidShape& shape : NonManifoldShapes()) shapes.push_back(std::move(shape));
+    for (std::uint32_t seed = 0; seed < 20; ++seed) shapes.push_back(RandomPiece(seed));
     shapes.push_back(ReadSolidShape(context.shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
     for (const SolidShape& shape : shapes) {
         const CellArrays cells(shape.complex);

@@ -22,6 +22,13 @@ constexpr std::array kValidators = {
               "Loop surfaces, closed and open = OpenSubdiv's: positions (levels 1-4) and composite "
               "rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopSurfaces},
+    Validator{"box-spline-regular",
+              "inside regular blocks values and composite rows (levels 1-3) = the convolution "
+              "mask; limits = the closed form of N(2,2,2,2); values of size 1",
+              1e-12,
+              "sums of at most a hundred terms of size 1, the closed form exact to a few units of round-off: 1e-14 at "
+              "most, and a hundred times that",
+              ValidateBoxSplineRegular},
     Validator{"counts",
               "numbers of vertices, edges, faces and cells = those of the refined cells' vertex sets, of the "
               "formulas, and of the paper (28 -> 7280, 20 -> 5200 cells)",

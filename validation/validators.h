@@ -55,6 +55,7 @@ std::string HtmlOf(const std::vector<Outcome>& outcomes);
 // The validators, one a file.
 Findings ValidateLoopBoundary(const Context& context);
 Findings ValidateLoopSurfaces(const Context& context);
+Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateCounts(const Context& context);
 
 }  // namespace SolidSubdiv::Validation

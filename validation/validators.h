@@ -57,5 +57,6 @@ Findings ValidateLoopBoundary(const Context& context);
 Findings ValidateLoopSurfaces(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateCounts(const Context& context);
+Findings ValidateDiagonals(const Context& context);
 
 }  // namespace SolidSubdiv::Validation

@@ -21,6 +21,9 @@ using Work = std::function<void(Session&)>;
 /// Adds the sub-command's own options, and the example at the end of its help.
 Work AddInfo(CLI::App& command);
 Work AddRefine(CLI::App& command);
+#if defined(SOLIDSUBDIV_HAS_ANALYSIS)
+Work AddAnalyze(CLI::App& command);
+#endif
 
 struct Command {
     std::string_view name;
@@ -31,6 +34,9 @@ struct Command {
 inline constexpr std::array kCommands = {
     Command{"info", "what is in a file: counts, shape, boundary, regularity, defects, attributes", AddInfo},
     Command{"refine", "refine a solid, a surface or a curve by a subdivision scheme", AddRefine},
+#if defined(SOLIDSUBDIV_HAS_ANALYSIS)
+    Command{"analyze", "eigenvalues of a scheme, and what they say about smoothness", AddAnalyze},
+#endif
 };
 
 }  // namespace SolidSubdiv::Cli

@@ -24,9 +24,9 @@ constexpr int kMaxThreads = 4096;
 
 void AddCommonOptions(CLI::App& command, CommonOptions& options) {
     command.add_option("--json", options.json, "write counts, times and settings as JSON; - is standard output")
-        ->type_name("FILE|-");
+        ->option_text("FILE|-");
     command.add_option("--threads", options.threads, "use at most N threads; default: all processors")
-        ->type_name("N")
+        ->option_text("N")
         ->check(CLI::Range(1, kMaxThreads));
     command.add_flag("--quiet", options.quiet, "say nothing but errors");
 }

@@ -39,9 +39,9 @@ void RunInfo(Session& session, const std::string& file) {
 
 Work AddInfo(CLI::App& command) {
     const auto file = std::make_shared<std::string>();
-    command.add_option("FILE", *file, "the mesh")->required()->type_name("");
+    command.add_option("FILE", *file, "the mesh")->required()->option_text(" ");
     command.footer(
-        "\nFor cells: the volume, inverted cells and cells of no volume. For tetrahedra, octahedra, triangles and "
+        "For cells: the volume, inverted cells and cells of no volume. For tetrahedra, octahedra, triangles and "
         "edges\n"
         "also: components of the boundary with their Euler characteristic and genus, histograms of valences and of\n"
         "the links of inner edges, the share of matched faces, and defects, those that make a mesh unusable too.\n\n" +

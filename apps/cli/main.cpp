@@ -54,14 +54,13 @@ int Run(const Work& work, const CommonOptions& options) {
 
 int Main(int argc, char** argv) {
     CLI::App app("Subdivision of solids: control lattices of tets and octs refined into smooth solids.", "solidsubdiv");
-    app.set_version_flag("--version", "solidsubdiv " SOLIDSUBDIV_VERSION);
+    app.set_version_flag("--version", "solidsubdiv " SOLIDSUBDIV_VERSION, "the version");
     app.set_help_flag("-h,--help", "this text; 'solidsubdiv COMMAND --help' explains a command, with an example");
     app.get_formatter()->column_width(34);
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
-    app.get_formatter()->label("Subcommands", "Commands");
     app.require_subcommand(1);
     app.footer(
-        "\nExit status: 0 success, 1 failure (one line on standard error, no output file is left), 2 bad usage.\n\n"
+        "Exit status: 0 success, 1 failure (one line on standard error, no output file is left), 2 bad usage.\n\n"
         "Example:\n"
         "  solidsubdiv info lattice.vtu");
 
@@ -69,6 +68,7 @@ int Main(int argc, char** argv) {
     std::vector<Work> works;
     for (const Command& command : kCommands) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+        sub->group("Commands");
         sub->set_help_flag("-h,--help", "this text");
         works.push_back(command.add(*sub));
         AddCommonOptions(*sub, options);

@@ -16,6 +16,7 @@ namespace SolidSubdiv::Cli {
 namespace {
 
 constexpr int kPanelWidth = 800, kPanelHeight = 700, kColumns = 2;
+constexpr std::size_t kMostCutEdges = 20000;
 
 std::vector<Index> EdgesOf(std::span<const Index> triangles) {
     Io::Topology topology;
@@ -53,7 +54,10 @@ void AddCut(Picture::Scene& scene, const Io::Mesh& mesh) {
                                .triangles = cut.triangles,
                                .material = {.smooth = false},
                                .triangle_colors = colors});
-    scene.Add(Picture::Lines{.positions = mesh.positions, .edges = cut.edges, .width = 0.8});
+    // Where cells are a few pixels small, lines would hide them.
+    if (cut.edges.size() < kMostCutEdges) {
+        scene.Add(Picture::Lines{.positions = mesh.positions, .edges = cut.edges, .width = 0.8});
+    }
 }
 
 }  // namespace

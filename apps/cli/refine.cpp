@@ -258,17 +258,17 @@ void AddOutputOptions(CLI::App& command, RefineOptions& o) {
     command.add_flag("--keep-octahedra", o.keep_octahedra,
                      "write octahedra as polyhedra (.vtu, .vtk);\nelse as four tets around the major diagonal");
     command.add_flag("--ascii", o.ascii, "write text where the format has a binary form too");
-    command.add_option("--boundary", o.boundary, "write the boundary surface too")->type_name("FILE");
+    command.add_option("--boundary", o.boundary, "write the boundary surface too")->option_text("FILE");
     command
         .add_option("--stencils", o.stencils,
                     "write the weights of each refined vertex (row) over the\n"
                     "control vertices (columns) as a Matrix Market file")
-        ->type_name("FILE");
+        ->option_text("FILE");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
     command
         .add_option("--picture", o.picture,
                     "draw control lattice, first level, last level and a cut\nthrough it, as a PNG")
-        ->type_name("FILE");
+        ->option_text("FILE");
 #endif
 }
 
@@ -279,27 +279,27 @@ Work AddRefine(CLI::App& command) {
     RefineOptions& o = *options;
     command.add_option("IN", o.input, "the control mesh: tets and octs, triangles, edges, or a mix")
         ->required()
-        ->type_name("");
+        ->option_text(" ");
     command.add_option("-o,--output", o.output, "the refined mesh; the extension chooses the format")
         ->required()
-        ->type_name("OUT");
+        ->option_text("OUT (required)");
     command.add_option("--levels", o.levels, "how many times every element is split; default 1")
-        ->type_name("N")
+        ->option_text("N")
         ->check(CLI::Range(0, 20));
     AddSchemeOptions(command, o.scheme);
     command
         .add_option("--orient", o.orient,
                     "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
-        ->type_name("repair|keep|refuse")
+        ->option_text("repair|keep|refuse")
         ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
     command.add_flag("--limit", o.limit, "move the vertices of the last level to their limits");
     AddOutputOptions(command, o);
     command.footer(
-        "\nPoints come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
+        "Points come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
         "level by level. Point data are refined like positions; cells inherit the data of their control cells, and\n"
         "carry their diagonals as cell data 'diagonal'.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + WritableFilesHelp() +
-        "\n\nExample:\n"
+        "\n\nExamples:\n"
         "  solidsubdiv refine lattice.vtu -o solid.vtu --levels 2 --boundary solid.obj\n"
         "  solidsubdiv refine lattice.vtu -o solid.vtu --scheme linear-solid --diagonals shortest --json -");
     return [options](Session& session) { RefineCommand(*options, session).Run(); };

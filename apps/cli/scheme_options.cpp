@@ -51,7 +51,7 @@ std::string SchemeNames() {
 
 void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
     command.add_option("--scheme", options.scheme, "the scheme; default: box-spline for solids, loop for surfaces")
-        ->type_name(SchemeNames());
+        ->option_text(SchemeNames());
     command
         .add_option("--diagonals", options.diagonals,
                     "which diagonal the octahedron in each tet gets; default matched:\n"
@@ -59,7 +59,7 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
                     "shortest: by length; first: as the cells are ordered;\n"
                     "given: by the cell data 'diagonal' (0, 1 or 2);\n"
                     "averaged: box-spline's mask without diagonals")
-        ->type_name("matched|shortest|first|averaged|given")
+        ->option_text("matched|shortest|first|averaged|given")
         ->check(CLI::IsMember(std::set<std::string>{"matched", "shortest", "first", "averaged", "given"}));
     for (const MergedOption& option : MergedOptions()) {
         const std::string name = option.name;
@@ -67,7 +67,7 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
             .add_option_function<std::string>(
                 "--" + name, [&options, name](const std::string& value) { options.values.emplace_back(name, value); },
                 option.help)
-            ->type_name(option.values);
+            ->option_text(option.values);
     }
 }
 

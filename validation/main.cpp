@@ -109,6 +109,7 @@ int main(int argc, char** argv) {
     context.shapes = arguments.shapes;
     context.osd_shapes = FromEnvironment("SOLIDSUBDIV_OSD_SHAPES", data / "opensubdiv_shapes");
     context.tets = data / "tets";
+    context.scripts = std::filesystem::path(SOLIDSUBDIV_SOURCE) / "validation";
     std::error_code ignored;
     context.programs = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
     context.scratch = std::filesystem::temp_directory_path() / ("solidsubdiv-validate-" + std::to_string(::getpid()));

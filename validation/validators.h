@@ -19,6 +19,7 @@ struct Context {
     std::filesystem::path osd_shapes;  ///< OpenSubdiv's catalogue as OBJ files: may be missing
     std::filesystem::path tets;        ///< tetrahedral meshes from elsewhere: may be missing
     std::filesystem::path programs;    ///< where the program solidsubdiv is, if it was built
+    std::filesystem::path scripts;     ///< where the validators' scripts are
     std::filesystem::path scratch;     ///< a folder to write in
 };
 
@@ -58,5 +59,6 @@ Findings ValidateLoopSurfaces(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
+Findings ValidateVtkReader(const Context& context);
 
 }  // namespace SolidSubdiv::Validation

@@ -9,8 +9,11 @@ Needs numpy, scipy (Debian: python3-numpy python3-scipy) and the program tetgen 
   2. even it out: edge flips towards valence 6, tangential smoothing, projection back to the scan;
   3. move the control points so that the Loop limit surface fits the scan (least squares, alternating with closest points),
      then by fixed point so that every control vertex's own limit position comes to lie on the scan;
-  4. fill the fitted surface with tets (tetgen, the surface kept as it is), then move interior vertices for better shape;
-  5. add the point attribute `density` (1 in the skin, 3 deep inside) and write ASCII VTU.
+  4. fill the fitted surface with tets (tetgen, the surface kept as it is), flip the tets around inner edges that have only
+     three of them (the box-spline rules like those least), move interior vertices for better shape;
+  5. move control points a little where the refined solid would fold: no child of any tet, whatever its diagonal, may have
+     less than a small share of its parent's volume;
+  6. add the point attribute `density` (1 in the skin, 3 deep inside) and write ASCII VTU.
 """
 import heapq
 import os
@@ -19,6 +22,7 @@ import sys
 import tempfile
 
 import numpy as np
+import scipy.optimize
 import scipy.sparse as sp
 import scipy.sparse.linalg as spla
 from scipy.spatial import cKDTree
@@ -367,6 +371,132 @@ def improve_interior(p, t, n_fixed):
     return p
 
 
+def edge_rings(t):
+    """The tets around every edge."""
+    around = {}
+    for i, tet in enumerate(t.tolist()):
+        for a in range(4):
+            for b in range(a):
+                around.setdefault((min(tet[a], tet[b]), max(tet[a], tet[b])), []).append(i)
+    return around
+
+
+def boundary_of(t):
+    """Triangles in one tet, counterclockwise from outside."""
+    faces = {}
+    for tet in t:
+        for local in ((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)):
+            face = tuple(int(x) for x in tet[list(local)])
+            faces.setdefault(tuple(sorted(face)), []).append(face)
+    return np.array([f[0] for f in faces.values() if len(f) == 1])
+
+
+def remove_thin_edges(p, t, worst=0.12):
+    """Flips the three tets around an inner edge into two where that keeps a decent shape."""
+    on_boundary = {tuple(sorted((f[i], f[i - 1]))) for f in boundary_of(t).tolist() for i in range(3)}
+    flips = 0
+    while True:
+        for (a, b), ring in sorted(edge_rings(t).items()):
+            if len(ring) != 3 or (a, b) in on_boundary:
+                continue
+            link = sorted({x for i in ring for x in t[i].tolist()} - {a, b})
+            if len(link) != 3:
+                continue
+            new = np.array([link + [a], link + [b]])
+            for tet in new:
+                if volumes(p, tet[None])[0] < 0:
+                    tet[[2, 3]] = tet[[3, 2]]
+            old = volumes(p, t[ring]).sum()
+            if shape(p, new).min() < worst or abs(volumes(p, new).sum() - old) > 1e-9 * old:
+                continue
+            t = np.vstack([np.delete(t, ring, axis=0), new])
+            flips += 1
+            break
+        else:
+            return t, flips
+
+
+# ---------------------------------------------------------------- 5: no folds after refinement
+
+def box_spline_level_1(n, n_boundary, t, surface):
+    """The box-spline points of level 1 as a sparse matrix (the first n_boundary vertices are the boundary's), and the number
+    of each edge's point. They do not depend on the diagonals, which only join them."""
+    rings = edge_rings(t)
+    edge = {e: n + i for i, e in enumerate(rings)}
+    loop = loop_matrix(n_boundary, surface)[0]
+    loop_edge = {}
+    for f in surface.tolist():
+        for i in range(3):
+            loop_edge.setdefault(tuple(sorted((f[i], f[(i + 1) % 3]))), n_boundary + len(loop_edge))
+    rows = []
+
+    def copy(row, loop_row):
+        span = slice(loop.indptr[loop_row], loop.indptr[loop_row + 1])
+        rows.extend((row, j, w) for j, w in zip(loop.indices[span], loop.data[span]))
+
+    neighbours = [[] for _ in range(n)]
+    for a, b in edge:
+        neighbours[a].append(b)
+        neighbours[b].append(a)
+    for v in range(n):
+        if v < n_boundary:
+            copy(v, v)
+        else:
+            rows += [(v, v, 18 / 32)] + [(v, x, 14 / 32 / len(neighbours[v])) for x in neighbours[v]]
+    for (a, b), e in edge.items():
+        if (a, b) in loop_edge:
+            copy(e, loop_edge[(a, b)])
+            continue
+        link = sorted({x for i in rings[(a, b)] for x in t[i].tolist()} - {a, b})
+        ends, rest = (8 / 32, 16 / 32) if len(link) == 4 else (10 / 32, 12 / 32)
+        rows += [(e, a, ends), (e, b, ends)] + [(e, x, rest / len(link)) for x in link]
+    i, j, w = zip(*rows)
+    return sp.csr_matrix((w, (i, j)), (n + len(edge), n)), edge
+
+
+def children(t, edge):
+    """Tets of level 1, all parents' first children first, then their second..: the four corners, and the inner octahedron
+    in quarters around each of its three diagonals."""
+    def middle(a, b):
+        return np.array([edge[(min(x, y), max(x, y))] for x, y in zip(t[:, a].tolist(), t[:, b].tolist())])
+
+    m01, m02, m03, m12, m13, m23 = [middle(a, b) for a, b in ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))]
+    v = t.T
+    kinds = [(v[0], m01, m02, m03), (m01, v[1], m12, m13), (m02, m12, v[2], m23), (m03, m13, m23, v[3])]
+    for o in ((m01, m23, m02, m13, m03, m12), (m02, m13, m03, m12, m01, m23), (m03, m12, m01, m23, m02, m13)):
+        kinds += [(o[0], o[1], o[2], o[4]), (o[0], o[1], o[4], o[3]), (o[0], o[1], o[3], o[5]), (o[0], o[1], o[5], o[2])]
+    return np.concatenate([np.stack(kind, axis=1) for kind in kinds])
+
+
+def unfold(p, t, n_boundary, surface, least=0.35, stay=0.3):
+    """Moves points until every child has about the share `least` of its even part of the parent, staying near `p`."""
+    matrix, edge = box_spline_level_1(len(p), n_boundary, t, surface)
+    kids = children(t, edge)
+    even = np.tile(volumes(p, t) / 8, len(kids) // len(t))
+
+    def cost(x):
+        q, moved = matrix @ x.reshape(-1, 3), x.reshape(-1, 3) - p
+        a = q[kids[:, 0]]
+        b, c, d = (q[kids[:, i]] - a for i in (1, 2, 3))
+        normals = np.cross(c, d), np.cross(d, b), np.cross(b, c)
+        gap = np.maximum(0, least - np.einsum("ij,ij->i", b, normals[0]) / 6 / even)
+        slope = (-2 * gap / even / 6)[:, None]
+        gradient = np.zeros_like(q)
+        for i in (1, 2, 3):
+            np.add.at(gradient, kids[:, i], slope * normals[i - 1])
+        np.add.at(gradient, kids[:, 0], -slope * sum(normals))
+        return gap @ gap + stay * np.sum(moved ** 2), (matrix.T @ gradient + 2 * stay * moved).ravel()
+
+    before = volumes(matrix @ p, kids) / even
+    p = scipy.optimize.minimize(cost, p.ravel(), jac=True, method="L-BFGS-B", options={"maxiter": 400}).x.reshape(-1, 3)
+    after = volumes(matrix @ p, kids) / even
+    print(f"smallest share of a child: {before.min():.3f} before, {after.min():.3f} after unfolding")
+    assert after.min() > 0
+    return p
+
+
+# ---------------------------------------------------------------- all of it
+
 def check(points, tets, n_boundary):
     assert (volumes(points, tets) > 0).all()
     faces = {}
@@ -387,6 +517,13 @@ def check(points, tets, n_boundary):
     return len(boundary)
 
 
+def report(control, limit, sample, scan):
+    for name, matrix in (("limit surface", sample), ("limits of the control vertices", limit)):
+        points = matrix @ control
+        distance = np.linalg.norm(scan.closest(points) - points, axis=1)
+        print(f"{name} to scan: mean {distance.mean():.4f}, largest {distance.max():.4f}")
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: make_bunny_lattice.py bunny.obj bunny_lattice.vtu")
@@ -404,20 +541,22 @@ def main():
     for _ in range(4):  # the control vertices' own limit positions onto the scan
         points = limit @ control
         control += scan.closest(points, vertex_normals(points, t)) - points
-    points = sample @ control
-    distance = np.linalg.norm(scan.closest(points) - points, axis=1)
-    print(f"limit surface to scan: mean {distance.mean():.4f}, largest {distance.max():.4f}")
-    points = limit @ control
-    distance = np.linalg.norm(scan.closest(points) - points, axis=1)
-    print(f"limits of control vertices to scan: mean {distance.mean():.5f}, largest {distance.max():.5f}")
+    report(control, limit, sample, scan)
     control = np.round(control, 5)
 
     points, tets = fill(control, t, INTERIOR_VOLUME)
     if volumes(points, tets).mean() < 0:
         tets = tets[:, [0, 1, 3, 2]]
-    points = np.round(improve_interior(points, tets, len(control)), 5)
     assert np.array_equal(points[: len(control)], control), "tetgen moved the boundary"
+    tets, flips = remove_thin_edges(points, tets)
+    points = improve_interior(points, tets, len(control))
+    around = np.bincount([len(ring) for ring in edge_rings(tets).values()])
+    print(f"{flips} flips; edges by number of tets around them: {around.tolist()}")
+    points = np.round(unfold(points, tets, len(control), t), 5)
+    control = points[: len(control)]
     n_faces = check(points, tets, len(control))
+    report(control, limit, sample, scan)
+
     depth = np.linalg.norm(Surface(control, t).closest(points, k=60) - points, axis=1)
     density = 1 + 2 * np.clip(depth / depth.max(), 0, 1) ** 0.75
     quality = shape(points, tets)

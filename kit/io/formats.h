@@ -3,6 +3,16 @@
 //
 //     Io::Mesh mesh = Io::ReadMesh("part.vtu");
 //     Io::WriteMesh("part.vtk", mesh);
+//
+// What each format holds; the rest of a mesh is refused (elements, by name) or not written (attributes):
+//
+//     .vtu .vtk     everything; octahedra as polyhedra or cut
+//     .msh          all but polyhedra and polygons; every attribute, `physical` and `elementary` as the elements' tags
+//     .mesh         the same but single vertices; one integer attribute: `reference`, else `physical`
+//     .node .ele    tets; every attribute, their names in a comment that TetGen skips; `marker` as boundary marker
+//     .ply          faces and edges; every attribute
+//     .obj          faces, edges, single vertices; the point attribute `color`
+//     .stl          triangles
 #pragma once
 
 #include <filesystem>
@@ -14,9 +24,11 @@
 namespace SolidSubdiv::Io {
 
 struct WriteOptions {
-    /// Octahedra as VTK_POLYHEDRON; otherwise as four tets around the major diagonal (formats without polyhedra always).
+    /// Octahedra as VTK_POLYHEDRON; otherwise as four tets around the major diagonal (formats without polyhedra
+    /// always).
     bool keep_octahedra = false;
-    /// Binary form where the format has one and it is the usual one (VTU: appended zlib-compressed; STL, PLY: binary).
+    /// Binary form where we write one (VTU: appended zlib-compressed; legacy VTK, STL, PLY: binary); otherwise text,
+    /// with as many digits as it takes to read the same numbers back.
     bool binary = true;
 };
 
@@ -46,7 +58,8 @@ Mesh ReadMesh(const std::filesystem::path& path);
 /// ReadMesh, and at least one cell must be there. @throws IoError
 Mesh ReadSolid(const std::filesystem::path& path);
 
-/// Writes beside the file and renames, so that no partial file is left. @throws IoError if the format can't hold the mesh.
+/// Writes beside the file and renames, so that no partial file is left. @throws IoError if the format can't hold the
+/// mesh.
 void WriteMesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options = {});
 
 }  // namespace SolidSubdiv::Io

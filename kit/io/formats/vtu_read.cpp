@@ -234,11 +234,11 @@ void AppendAttributes(std::vector<Attribute>& all, std::vector<Attribute> piece,
 }  // namespace
 
 Mesh ParseVtu(std::string_view bytes, const std::string& file) {
-    const VtuParts parts = CutAppendedData(bytes);
+    VtuParts parts = CutAppendedData(bytes);
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(parts.xml.data(), parts.xml.size());
+    const pugi::xml_parse_result parsed = document.load_buffer_inplace(parts.xml.data(), parts.xml.size());
     if (!parsed) {
-        TextCursor place(parts.xml, file);
+        TextCursor place(bytes, file);
         place.Bytes(std::min<std::int64_t>(parsed.offset, place.remaining()), "XML");
         place.FailHere("is no complete XML: " + LowerCase(parsed.description()));
     }

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fuzzes the reader of MEDIT files.
+#include <cstdint>
+
+#include "reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    return SolidSubdiv::Fuzz::CheckReader([&] { return SolidSubdiv::Io::Internal::ParseMedit(bytes, "fuzz"); });
+}

@@ -17,74 +17,131 @@ struct PartialLevel {
     StencilRows<double> rows;
 };
 
-/// Sums of weights by control vertex, with the list of those touched; reused from row to row.
+/// One row being summed: a short list of (control vertex, weight), found again through a table of places.
 class Accumulator {
   public:
-    explicit Accumulator(Index n) : sums_(n, 0.0), is_touched_(n, 0) {}
+    explicit Accumulator(Index n_control) : place_(n_control, kNoIndex) {}
 
     void Add(Index i, double weight) {
-        if (!is_touched_[i]) {
-            is_touched_[i] = 1;
-            touched_.push_back(i);
+        Index& place = place_[i];
+        if (place == kNoIndex) {
+            place = static_cast<Index>(entries_.size());
+            entries_.push_back({i, weight});
+        } else {
+            entries_[place].weight += weight;
         }
-        sums_[i] += weight;
     }
 
     /// Appends the row with ascending indices and starts anew.
     void Flush(std::vector<Index>& indices, std::vector<double>& weights) {
-        std::sort(touched_.begin(), touched_.end());
-        for (Index i : touched_) {
-            indices.push_back(i);
-            weights.push_back(sums_[i]);
-            sums_[i] = 0;
-            is_touched_[i] = 0;
+        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.index < b.index; });
+        for (const Entry& e : entries_) {
+            indices.push_back(e.index);
+            weights.push_back(e.weight);
+            place_[e.index] = kNoIndex;
         }
-        touched_.clear();
+        entries_.clear();
     }
 
   private:
-    std::vector<double> sums_;
-    std::vector<std::uint8_t> is_touched_;
-    std::vector<Index> touched_;
+    struct Entry {
+        Index index;
+        double weight;
+    };
+    std::vector<Index> place_;
+    std::vector<Entry> entries_;
 };
 
-/// Computes n rows in fixed chunks, each by itself, and joins them: row(i, accumulator) adds row i's entries.
-template <class RowFunction>
-StencilRows<double> MakeRows(Index n, Index n_control, RowFunction&& row) {
-    constexpr Offset kChunk = 2048;
-    const Offset n_chunks = (n + kChunk - 1) / kChunk;
+/// Computes n rows, row(i, accumulator) adding row i's entries, and joins them. Fresh memory is what this costs most,
+/// so rows are made in waves of small buffers that are used again, and the table is reserved by what the first wave
+/// took.
+template <class Real, class RowFunction>
+StencilRows<Real> MakeRows(Index n, Index n_control, RowFunction&& row) {
+    constexpr Offset kChunk = 1024, kChunksAThread = 16;
+    const Offset n_threads = Sdc::ThreadCount(), wave = kChunk * kChunksAThread * n_threads;
     struct Part {
         std::vector<Index> indices;
         std::vector<double> weights;
     };
-    std::vector<Part> parts(static_cast<std::size_t>(n_chunks));
-    StencilRows<double> rows;
+    std::vector<Part> parts(static_cast<std::size_t>(kChunksAThread * n_threads));
+    std::vector<Accumulator> accumulators(static_cast<std::size_t>(n_threads), Accumulator(n_control));
+    StencilRows<Real> rows;
     rows.n_sources = n_control;
     rows.offsets.resize(static_cast<std::size_t>(n) + 1);
-    Sdc::ParallelFor(n_chunks, 1, [&](Offset begin, Offset end) {
-        Accumulator accumulator(n_control);
-        for (Offset c = begin; c < end; ++c) {
-            Part& part = parts[static_cast<std::size_t>(c)];
-            for (Offset i = c * kChunk; i < std::min<Offset>((c + 1) * kChunk, n); ++i) {
-                const std::size_t before = part.indices.size();
-                row(static_cast<Index>(i), accumulator);
-                accumulator.Flush(part.indices, part.weights);
-                rows.offsets[i] = static_cast<Offset>(part.indices.size() - before);
+    rows.offsets[0] = 0;
+    for (Offset first = 0; first < n; first += wave) {
+        const Offset n_chunks = (std::min<Offset>(wave, n - first) + kChunk - 1) / kChunk;
+        Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
+            for (Offset thread = begin; thread < end; ++thread) {
+                for (Offset c = thread; c < n_chunks; c += n_threads) {
+                    Part& part = parts[static_cast<std::size_t>(c)];
+                    part.indices.clear();
+                    part.weights.clear();
+                    const Offset from = first + c * kChunk;
+                    for (Offset i = from; i < std::min<Offset>(from + kChunk, n); ++i) {
+                        row(static_cast<Index>(i), accumulators[static_cast<std::size_t>(thread)]);
+                        accumulators[static_cast<std::size_t>(thread)].Flush(part.indices, part.weights);
+                        rows.offsets[i + 1] = static_cast<Offset>(part.indices.size());  // within the chunk, for now
+                    }
+                }
             }
+        });
+        for (Offset c = 0; c < n_chunks; ++c) {
+            const Part& part = parts[static_cast<std::size_t>(c)];
+            const Offset from = first + c * kChunk, start = static_cast<Offset>(rows.indices.size());
+            for (Offset i = from; i < std::min<Offset>(from + kChunk, n); ++i) rows.offsets[i + 1] += start;
+            rows.indices.insert(rows.indices.end(), part.indices.begin(), part.indices.end());
+            rows.weights.insert(rows.weights.end(), part.weights.begin(), part.weights.end());
         }
-    });
-    const Offset n_weights = Sdc::ScanLengths(rows.offsets);
-    rows.indices.resize(static_cast<std::size_t>(n_weights));
-    rows.weights.resize(static_cast<std::size_t>(n_weights));
-    Sdc::ParallelFor(n_chunks, 1, [&](Offset begin, Offset end) {
-        for (Offset c = begin; c < end; ++c) {
-            Part& part = parts[static_cast<std::size_t>(c)];
-            std::copy(part.indices.begin(), part.indices.end(), rows.indices.begin() + rows.offsets[c * kChunk]);
-            std::copy(part.weights.begin(), part.weights.end(), rows.weights.begin() + rows.offsets[c * kChunk]);
-            part = {};
+        if (first == 0 && n > wave) {
+            const double share = 1.1 * static_cast<double>(n) / static_cast<double>(wave);
+            rows.indices.reserve(static_cast<std::size_t>(share * static_cast<double>(rows.indices.size())));
+            rows.weights.reserve(static_cast<std::size_t>(share * static_cast<double>(rows.weights.size())));
         }
-    });
+    }
     return rows;
+}
+
+/// The rows that requests name, one after another.
+template <class Real, class NVertices>
+StencilRows<Real> Gather(std::span<const CompositeRows> requests, const std::vector<PartialLevel>& levels, Index n_rows,
+                         Index n_control, NVertices&& n_vertices) {
+    struct Named {
+        int level;
+        Index vertex;
+    };
+    std::vector<Named> named;
+    named.reserve(n_rows);
+    for (const CompositeRows& r : requests) {
+        const Index n = r.vertices.empty() ? n_vertices(r.level) : static_cast<Index>(r.vertices.size());
+        for (Index i = 0; i < n; ++i) named.push_back({r.level, r.vertices.empty() ? i : r.vertices[i]});
+    }
+    StencilRows<Real> result;
+    result.n_sources = n_control;
+    result.offsets.resize(named.size() + 1);
+    const auto row_of = [&](const Named& v) { return levels[v.level].place[v.vertex]; };
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        const Named& v = named[i];
+        result.offsets[i] = v.level == 0 ? 1 : static_cast<Offset>(levels[v.level].rows.Indices(row_of(v)).size());
+    }
+    const std::size_t n_weights = static_cast<std::size_t>(Sdc::ScanLengths(result.offsets));
+    result.indices.resize(n_weights);
+    result.weights.resize(n_weights);
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        const Named& v = named[i];
+        Index* const indices = result.indices.data() + result.offsets[i];
+        Real* const weights = result.weights.data() + result.offsets[i];
+        if (v.level == 0) {
+            *indices = v.vertex;
+            *weights = 1;
+            continue;
+        }
+        const auto from = levels[v.level].rows.Indices(row_of(v));
+        const auto factors = levels[v.level].rows.Weights(row_of(v));
+        std::copy(from.begin(), from.end(), indices);
+        for (std::size_t k = 0; k < factors.size(); ++k) weights[k] = static_cast<Real>(factors[k]);
+    }
+    return result;
 }
 
 }  // namespace
@@ -133,7 +190,7 @@ StencilRows<Real> Compose(const StencilTableReal<double>& cascaded, std::span<co
         }
         const auto& table = cascaded.level(l);
         const PartialLevel& below = levels[l - 1];
-        levels[l].rows = MakeRows(static_cast<Index>(needed.size()), n_control, [&](Index i, Accumulator& sum) {
+        const auto make_row = [&](Index i, Accumulator& sum) {
             const auto sources = table.Indices(needed[i]);
             const auto weights = table.Weights(needed[i]);
             for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -146,35 +203,21 @@ StencilRows<Real> Compose(const StencilTableReal<double>& cascaded, std::span<co
                 const auto factors = below.rows.Weights(row);
                 for (std::size_t j = 0; j < indices.size(); ++j) sum.Add(indices[j], weights[k] * factors[j]);
             }
-        });
+        };
+        // One request for the whole last level, the usual case, is that level's table.
+        if (l == n_levels && requests.size() == 1 && requests[0].vertices.empty()) {
+            auto result = MakeRows<Real>(static_cast<Index>(needed.size()), n_control, make_row);
+            Report(progress, "composite stencils", 1.0);
+            return result;
+        }
+        levels[l].rows = MakeRows<double>(static_cast<Index>(needed.size()), n_control, make_row);
         // A level below that no request names is done with.
         const bool named =
             std::any_of(requests.begin(), requests.end(), [&](const auto& r) { return r.level == l - 1; });
         if (!named) levels[l - 1] = {};
     }
 
-    StencilRows<Real> result;
-    result.n_sources = n_control;
-    result.offsets.assign(1, 0);
-    result.offsets.reserve(static_cast<std::size_t>(n_rows) + 1);
-    const auto append = [&](int l, Index v) {
-        if (l == 0) {
-            result.indices.push_back(v);
-            result.weights.push_back(Real{1});
-        } else {
-            const auto& rows = levels[l].rows;
-            const Index row = levels[l].place[v];
-            for (Index i : rows.Indices(row)) result.indices.push_back(i);
-            for (double w : rows.Weights(row)) result.weights.push_back(static_cast<Real>(w));
-        }
-        result.offsets.push_back(static_cast<Offset>(result.indices.size()));
-    };
-    for (const CompositeRows& r : requests) {
-        if (r.vertices.empty()) {
-            for (Index v = 0; v < n_vertices(r.level); ++v) append(r.level, v);
-        }
-        for (Index v : r.vertices) append(r.level, v);
-    }
+    StencilRows<Real> result = Gather<Real>(requests, levels, n_rows, n_control, n_vertices);
     Report(progress, "composite stencils", 1.0);
     return result;
 }

@@ -33,7 +33,18 @@ struct UniqueTuples {
         });
 
         Relation rows = Invert(lowest, 1, n_vertices, false);
-        const auto less = [&](Index i, Index j) { return keys[i] != keys[j] ? keys[i] < keys[j] : i < j; };
+        // Within a row the lowest vertices are the same.
+        const auto less = [&](Index i, Index j) {
+            for (std::size_t k = 1; k < N; ++k) {
+                if (keys[i][k] != keys[j][k]) return keys[i][k] < keys[j][k];
+            }
+            return i < j;
+        };
+        const auto differ = [&](Index i, Index j) {
+            bool same = true;
+            for (std::size_t k = 1; k < N; ++k) same &= keys[i][k] == keys[j][k];
+            return !same;
+        };
         Array<Offset> first(static_cast<std::size_t>(n_vertices) + 1);
         Sdc::ParallelFor(n_vertices, kGrain / 16, [&](Offset begin, Offset end) {
             for (Offset v = begin; v < end; ++v) {
@@ -41,7 +52,7 @@ struct UniqueTuples {
                 const int n = rows.Count(static_cast<Index>(v));
                 std::sort(row, row + n, less);
                 Offset distinct = 0;
-                for (int k = 0; k < n; ++k) distinct += k == 0 || keys[row[k]] != keys[row[k - 1]];
+                for (int k = 0; k < n; ++k) distinct += k == 0 || differ(row[k], row[k - 1]);
                 first[v] = distinct;
             }
         });
@@ -52,7 +63,7 @@ struct UniqueTuples {
                 const auto row = rows[static_cast<Index>(v)];
                 Index id = static_cast<Index>(first[v]) - 1;
                 for (std::size_t k = 0; k < row.size(); ++k) {
-                    if (k == 0 || keys[row[k]] != keys[row[k - 1]]) {
+                    if (k == 0 || differ(row[k], row[k - 1])) {
                         ++id;
                         std::copy(keys[row[k]].begin(), keys[row[k]].end(),
                                   tuples.begin() + N * static_cast<std::ptrdiff_t>(id));

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
@@ -40,7 +41,7 @@ int Run(const Work& work, const CommonOptions& options) {
         } catch (const UsageError& error) {
             fail(kBadUsage, error.what());
         } catch (const std::bad_alloc&) {
-            fail(kFailure, "there is not enough memory; refine fewer times");
+            fail(kFailure, "there is not enough memory; take a smaller mesh or fewer levels");
         } catch (const std::exception& error) {
             fail(kFailure, error.what());
         }
@@ -72,6 +73,13 @@ int Main(int argc, char** argv) {
         sub->set_help_flag("-h,--help", "this text");
         works.push_back(command.add(*sub));
         AddCommonOptions(*sub, options);
+    }
+    const auto is_called = [&](const Command& command) { return command.name == argv[1]; };
+    if (argc > 1 && argv[1][0] != '-' && std::none_of(kCommands.begin(), kCommands.end(), is_called)) {
+        std::string known;
+        for (const Command& command : kCommands) known += (known.empty() ? "" : ", ") + std::string(command.name);
+        return Fail(kBadUsage, "there is no command '" + std::string(argv[1]) + "'; there are " + known +
+                                   "; see solidsubdiv --help");
     }
     try {
         app.parse(argc, argv);

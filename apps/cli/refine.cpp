@@ -97,7 +97,7 @@ class RefineCommand {
         settings.keep_first = !options_.picture.empty() && options_.levels > 1;
         Json& json = json_["settings"];
         json = {{"scheme", Sdc::NameOf(settings.choice.scheme)}};
-        for (const auto& [name, value] : options_.scheme.values) json[name] = value;
+        for (const auto& [name, value] : OptionValues(options_.scheme, settings.choice.scheme)) json[name] = value;
         json["levels"] = options_.levels;
         json["diagonals"] = options_.scheme.diagonals;
         json["orient"] = options_.orient;

@@ -2,7 +2,10 @@
 // The steps of `refine`.
 #include <solidsubdiv/apps/cli/refinement.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <limits>
 
 #include <solidsubdiv/apps/cli/diagonal_data.h>
 #include <solidsubdiv/apps/cli/refined_mesh.h>
@@ -28,6 +31,25 @@ void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
     for (const Io::Attribute& attribute : from.cell_data) {
         if (attribute.name != kDiagonalName) to.cell_data.push_back(rows(attribute));
     }
+}
+
+/// An estimate of what is needed beside the levels: the table of all levels, two copies of the refined values, and the
+/// refined elements as they are and as they are written, octahedra cut into four.
+Offset BytesBesideTopology(const Far::TopologyRefiner& refiner, int levels, const Io::Mesh& control) {
+    constexpr Offset bytes_of_row = 8 + 9 * 12;             // about nine weights and their indices
+    constexpr Offset bytes_of_element = 16 + 16 + 16 + 13;  // tets, tets once more, connectivity, offset and type
+    Offset width = 3, cell_width = 1;
+    for (const Io::Attribute& a : control.point_data) width += a.width;
+    for (const Io::Attribute& a : control.cell_data) cell_width += a.width;
+    Offset bytes = 0;
+    Vtr::Counts last = refiner.CountsAt(0);
+    for (int i = 1; i <= levels; ++i) {
+        last = Vtr::Refine(last);
+        if (last.Largest() > std::numeric_limits<Index>::max()) return 0;  // refused by the refiner, with its own text
+        bytes += bytes_of_row * last.n_vertices;
+    }
+    bytes += 2 * 8 * width * last.n_vertices;
+    return bytes + (bytes_of_element + 2 * 8 * cell_width) * (last.n_tets + 4 * last.n_octs);
 }
 
 void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
@@ -75,8 +97,11 @@ void Refinement::ChooseDiagonals() {
 
 void Refinement::RefineTopology() {
     refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_), Sdc::Split::TetOct);
+    const Offset machine = static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+    const Offset beside = BytesBesideTopology(*refiner_, settings_.levels, control_);
     refiner_->RefineUniform({.max_level = settings_.levels,
                              .full_topology_in_last_level = settings_.limit,
+                             .max_bytes = std::max<Offset>(1, machine - beside),
                              .progress = session_.progress()});
 }
 

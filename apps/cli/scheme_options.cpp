@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <set>
 
 #include <solidsubdiv/apps/cli/common.h>
@@ -87,6 +88,20 @@ SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid) {
         throw UsageError(error.what());
     }
     return choice;
+}
+
+std::vector<std::pair<std::string, std::string>> OptionValues(const SchemeOptions& options, const Sdc::Scheme& scheme) {
+    std::vector<std::pair<std::string, std::string>> values;
+    const auto add = [&](const Sdc::OptionInfo& option) {
+        if (option.name == kDiagonalsOption) return;
+        std::string value(option.initial);
+        for (const auto& given : options.values) {
+            if (given.first == option.name) value = given.second;
+        }
+        values.emplace_back(option.name, value);
+    };
+    std::visit([&](const auto& s) { std::for_each(s.kOptions.begin(), s.kOptions.end(), add); }, scheme);
+    return values;
 }
 
 std::string SchemesHelp() {

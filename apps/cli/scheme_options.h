@@ -32,6 +32,9 @@ struct SchemeChoice {
 /// @throws UsageError for unknown names and values, and where they contradict each other
 SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid);
 
+/// The value of every option that the scheme has (but diagonals), given or by default.
+std::vector<std::pair<std::string, std::string>> OptionValues(const SchemeOptions& options, const Sdc::Scheme& scheme);
+
 /// Lines on the schemes that there are, for the help.
 std::string SchemesHelp();
 

@@ -3,56 +3,56 @@
 #include <solidsubdiv/vtr/relation.h>
 
 #include <algorithm>
-#include <atomic>
 
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Vtr {
 
 Relation Invert(std::span<const Index> parts, int arity, Index n_parts, bool keep_locals) {
-    const Offset n = static_cast<Offset>(parts.size());
-    const bool alone = Sdc::ThreadCount() == 1;
-    constexpr Offset kGrain = 1 << 15;
-
     Relation r;
-    r.offsets.assign(static_cast<std::size_t>(n_parts) + 1, 0);
+    r.offsets.resize(static_cast<std::size_t>(n_parts) + 1);
     r.items.resize(parts.size());
     if (keep_locals) r.locals.resize(parts.size());
+    Offset* const offsets = r.offsets.data();
+    Index* const items = r.items.data();
+    Sdc::Local* const locals = r.locals.data();
 
-    // Several threads share the counters, so they are atomic then; alone, plain additions are several times faster.
-    const auto claim = [&](Index part) {
-        if (alone) return r.offsets[part]++;
-        return std::atomic_ref<Offset>(r.offsets[part]).fetch_add(1, std::memory_order_relaxed);
+    // Each thread reads all items in their order and handles the parts of its own range: reading in sequence costs
+    // little beside the scattered writes, and there is nothing to share, no atomic counter, and rows come out
+    // ascending.
+    const Offset n_ranges = Sdc::ThreadCount();
+    const auto for_each_range = [&](auto&& body) {
+        Sdc::ParallelFor(n_ranges, 1, [&](Offset begin, Offset end) {
+            for (Offset range = begin; range < end; ++range) {
+                body(static_cast<Index>(n_parts * range / n_ranges),
+                     static_cast<Index>(n_parts * (range + 1) / n_ranges));
+            }
+        });
     };
-    Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
-        for (Offset i = begin; i < end; ++i) claim(parts[i]);
+    for_each_range([&](Index first, Index last) {
+        std::fill(offsets + first, offsets + last, Offset{0});
+        for (Index part : parts) {
+            if (part >= first && part < last) ++offsets[part];
+        }
     });
     Sdc::ScanLengths(r.offsets);
 
     // Filling moves each row's start to its end; afterwards starts are the ends of the rows before.
-    Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
-        for (Offset i = begin; i < end; ++i) {
-            const Offset place = claim(parts[i]);
-            r.items[place] = static_cast<Index>(i / arity);
-            if (keep_locals) r.locals[place] = static_cast<Sdc::Local>(i % arity);
+    for_each_range([&](Index first, Index last) {
+        std::size_t i = 0;
+        const Index n_items = static_cast<Index>(parts.size() / static_cast<std::size_t>(arity));
+        for (Index item = 0; item < n_items; ++item) {
+            for (int local = 0; local < arity; ++local, ++i) {
+                const Index part = parts[i];
+                if (part < first || part >= last) continue;
+                const Offset place = offsets[part]++;
+                items[place] = item;
+                if (keep_locals) locals[place] = static_cast<Sdc::Local>(local);
+            }
         }
     });
     std::shift_right(r.offsets.begin(), r.offsets.end(), 1);
-    r.offsets[0] = 0;
-
-    // Alone, rows came out ascending; otherwise in the order of arrival. Rows are short: insertion sort.
-    if (!alone) {
-        Sdc::ParallelFor(n_parts, kGrain / 8, [&](Offset begin, Offset end) {
-            for (Offset row = begin; row < end; ++row) {
-                for (Offset i = r.offsets[row] + 1; i < r.offsets[row + 1]; ++i) {
-                    for (Offset j = i; j > r.offsets[row] && r.items[j] < r.items[j - 1]; --j) {
-                        std::swap(r.items[j], r.items[j - 1]);
-                        if (keep_locals) std::swap(r.locals[j], r.locals[j - 1]);
-                    }
-                }
-            }
-        });
-    }
+    offsets[0] = 0;
     return r;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,11 +23,20 @@ struct SourceFile {
     bool IsCpp() const { return path.ends_with(".h") || path.ends_with(".cpp"); }
 
     std::vector<Include> Includes() const {
-        static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
         std::vector<Include> includes;
-        std::smatch match;
         for (const std::string& line : lines) {
-            if (std::regex_match(line, match, include_line)) includes.push_back({match[2], match[1] == "\""});
+            // "#", "include" and the name may stand apart by blanks.
+            std::istringstream words(line);
+            std::string rest;
+            if ((words >> std::ws).get() != '#' || !(words >> rest) || !rest.starts_with("include")) continue;
+            rest.erase(0, 7);
+            std::string after;
+            std::getline(words, after);
+            rest += after;
+            const std::size_t open = rest.find_first_of("<\"");
+            const std::size_t close = rest.find_first_of(">\"", open + 1);
+            if (open == std::string::npos || close == std::string::npos) continue;
+            includes.push_back({rest.substr(open + 1, close - open - 1), rest[open] == '"'});
         }
         return includes;
     }

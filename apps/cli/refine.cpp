@@ -245,7 +245,7 @@ class RefineCommand {
     }
 
     /// A usual line of the file: row, column, weight.
-    static constexpr Offset kTextBytesOfWeight = 34;
+    static constexpr Offset kTextBytesOfWeight = 27;
 
     const RefineOptions& options_;
     Session& session_;

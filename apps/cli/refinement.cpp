@@ -33,23 +33,31 @@ void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
     }
 }
 
-/// An estimate of what is needed beside the levels: the table of all levels, two copies of the refined values, and the
-/// refined elements as they are and as they are written, octahedra cut into four.
-Offset BytesBesideTopology(const Far::TopologyRefiner& refiner, int levels, const Io::Mesh& control) {
+/// Refuses what this machine's memory can't hold: the levels, the table of all of them, two copies of the refined
+/// values, and the refined elements as they are and as they are written, octahedra cut into four. What indices can't
+/// count is left to the refiner. @throws InvalidInput
+void RequireMemory(const Far::TopologyRefiner& refiner, const RefinementSettings& settings, const Io::Mesh& control) {
     constexpr Offset bytes_of_row = 8 + 9 * 12;             // about nine weights and their indices
-    constexpr Offset bytes_of_element = 16 + 16 + 16 + 13;  // tets, tets once more, connectivity, offset and type
+    constexpr Offset bytes_of_element = 16 + 16 + 16 + 13;  // tet, the same once more, connectivity, offset and type
     Offset width = 3, cell_width = 1;
     for (const Io::Attribute& a : control.point_data) width += a.width;
     for (const Io::Attribute& a : control.cell_data) cell_width += a.width;
-    Offset bytes = 0;
+
     Vtr::Counts last = refiner.CountsAt(0);
-    for (int i = 1; i <= levels; ++i) {
+    Offset bytes = refiner.Bytes();
+    for (int i = 1; i <= settings.levels; ++i) {
         last = Vtr::Refine(last);
-        if (last.Largest() > std::numeric_limits<Index>::max()) return 0;  // refused by the refiner, with its own text
-        bytes += bytes_of_row * last.n_vertices;
+        if (last.Largest() > std::numeric_limits<Index>::max()) return;
+        bytes += Vtr::EstimateBytes(last, i < settings.levels || settings.limit) + bytes_of_row * last.n_vertices;
     }
     bytes += 2 * 8 * width * last.n_vertices;
-    return bytes + (bytes_of_element + 2 * 8 * cell_width) * (last.n_tets + 4 * last.n_octs);
+    bytes += (bytes_of_element + 2 * 8 * cell_width) * (last.n_tets + 4 * last.n_octs);
+    const Offset machine = static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+    if (bytes <= machine) return;
+    throw InvalidInput("level " + std::to_string(settings.levels) + " would have " + std::to_string(last.n_cells()) +
+                       " cells, and to make and write them takes about " + Far::BytesText(bytes) + " (" +
+                       std::to_string(bytes) + " bytes), more than the " + Far::BytesText(machine) +
+                       " of this machine; refine fewer times");
 }
 
 void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
@@ -97,11 +105,9 @@ void Refinement::ChooseDiagonals() {
 
 void Refinement::RefineTopology() {
     refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_), Sdc::Split::TetOct);
-    const Offset machine = static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
-    const Offset beside = BytesBesideTopology(*refiner_, settings_.levels, control_);
+    RequireMemory(*refiner_, settings_, control_);
     refiner_->RefineUniform({.max_level = settings_.levels,
                              .full_topology_in_last_level = settings_.limit,
-                             .max_bytes = std::max<Offset>(1, machine - beside),
                              .progress = session_.progress()});
 }
 

@@ -7,7 +7,7 @@
 
 #include <solidsubdiv/osd/evaluator.h>
 
-#include "meshes.h"
+#include "refined_points.h"
 #include "solid_shapes.h"
 #include "validators.h"
 
@@ -16,8 +16,6 @@ namespace SolidSubdiv::Validation {
 namespace {
 
 constexpr int kWidth = 3;
-
-LatticePoint Sum(const LatticePoint& a, const LatticePoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
 std::string Text(const LatticePoint& p, int level) {
     return "(" + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + ")/2^" +
@@ -41,32 +39,8 @@ std::vector<std::vector<double>> EvaluateLevels(const Far::StencilTable& cascade
 }  // namespace
 
 RefinedBlock RefineBlock(const TrussBlock& block, int max_level) {
-    const CellArrays cells(Complex{block.tets, block.octs});
-    const auto n = static_cast<Index>(block.vertices.size());
-    RefinedBlock refined{block, Far::TopologyRefiner::Create(cells.Descriptor(n), Sdc::Split::TetOct), {}};
-    Far::UniformRefinementOptions options;
-    options.max_level = max_level;
-    options.full_topology_in_last_level = true;
-    refined.refiner.RefineUniform(options);
-
-    // Children: vertices stay (their coordinates double), then middles of edges, then middles of major diagonals.
-    refined.points = {block.vertices};
-    for (int l = 0; l < max_level; ++l) {
-        const Far::Level& level = refined.refiner.level(l);
-        const std::vector<LatticePoint>& parents = refined.points[l];
-        std::vector<LatticePoint> children;
-        for (const LatticePoint& p : parents) children.push_back(Sum(p, p));
-        for (Index e = 0; e < level.n_edges; ++e) {
-            const auto ends = level.EdgeVertices(e);
-            children.push_back(Sum(parents[ends[0]], parents[ends[1]]));
-        }
-        for (Index o = 0; o < level.n_octs; ++o) {
-            const auto v = level.OctVertices(o);
-            children.push_back(Sum(parents[v[0]], parents[v[1]]));
-        }
-        refined.points.push_back(std::move(children));
-    }
-    return refined;
+    RefinedPoints refined = RefinePoints(block.vertices, block.tets, block.octs, max_level);
+    return {block, std::move(refined.refiner), std::move(refined.points)};
 }
 
 void CompareValues(const RefinedBlock& refined, const Far::StencilTable& cascaded, const std::vector<double>& control,
@@ -116,9 +90,9 @@ void CompareRows(const RefinedBlock& refined, const Far::StencilRows<double>& ro
         for (const auto& [control, weight] : SubdivisionRow(point, level)) {
             difference[refined.block.VertexAt(control)] -= weight;
         }
-        for (const auto& [control, d] : difference) {
-            findings.Error(std::abs(d), [&] {
-                return "row of " + Text(point, level) + ", weight of control vertex " + std::to_string(control);
+        for (const auto& entry : difference) {
+            findings.Error(std::abs(entry.second), [&] {
+                return "row of " + Text(point, level) + ", weight of control vertex " + std::to_string(entry.first);
             });
         }
     }

@@ -146,9 +146,9 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
         for (std::int64_t k = theirs.row_offsets[r]; k < theirs.row_offsets[r + 1]; ++k) {
             difference[start.mesh_vertices[theirs.row_indices[k]]] -= theirs.row_weights[k];
         }
-        for (const auto& [control, d] : difference) {
-            findings.Error(std::abs(d), [&] {
-                return Name("row", r, level) + ", weight of control vertex " + std::to_string(control);
+        for (const auto& entry : difference) {
+            findings.Error(std::abs(entry.second), [&] {
+                return Name("row", r, level) + ", weight of control vertex " + std::to_string(entry.first);
             });
         }
     }

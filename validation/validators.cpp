@@ -37,6 +37,13 @@ constexpr std::array kValidators = {
               "share of matched faces that `matched` reaches: 100 % on shuffled blocks of the lattice, 75 % on "
               "models; errors are what lacks",
               0, "the shares are the aims themselves; counts are whole numbers", ValidateDiagonals},
+    Validator{"spectra",
+              "eigenvalues of the local subdivision matrices in the regular lattice and inside control faces = "
+              "those quoted, less their rounding",
+              1e-9,
+              "quoted values are simple or have a full set of eigenvectors, so "
+              "they are found to about 1e-15; 1e-9 still sees a weight that is off by a millionth",
+              ValidateSpectra},
     Validator{"vtk-reader",
               "VTK's own reader finds our counts, arrays, positive volumes and their sum in every form of VTU "
               "that we write",

@@ -59,6 +59,7 @@ Findings ValidateLoopSurfaces(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
+Findings ValidateSpectra(const Context& context);
 Findings ValidateVtkReader(const Context& context);
 
 }  // namespace SolidSubdiv::Validation

@@ -12,4 +12,7 @@ namespace SolidSubdiv::Osd {
 /// Reference first, then others, the fastest last.
 std::span<const Backend> Backends();
 
+/// The backend of a name. @throws InvalidInput that lists the known names
+const Backend& BackendOf(std::string_view name);
+
 }  // namespace SolidSubdiv::Osd

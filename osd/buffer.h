@@ -8,7 +8,8 @@
 
 namespace SolidSubdiv::Osd {
 
-/// Element i's values are data[offset + i * stride + c], c in [0, length).
+/// Element i's values are data[offset + i * stride + c], c in [0, length). What lies between elements belongs to
+/// others: it is neither read nor written.
 struct BufferDescriptor {
     Offset offset = 0;  ///< >= 0
     int length = 3;     ///< values an element, >= 1
@@ -40,10 +41,12 @@ struct BufferView {
         return view;
     }
 
-    /// Whether n elements fit the array.
+    /// Whether n elements fit the array. @pre descriptor.stride >= 1
     bool Holds(Offset n) const {
-        return n == 0 ||
-               (descriptor.offset >= 0 && descriptor.offset + (n - 1) * descriptor.stride + descriptor.length <= size);
+        if (n == 0) return true;
+        if (descriptor.offset < 0 || descriptor.offset > size) return false;
+        const Offset room = size - descriptor.offset - descriptor.length;  // for steps from the first to the last one
+        return room >= 0 && n - 1 <= room / descriptor.stride;
     }
 };
 

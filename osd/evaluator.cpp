@@ -91,7 +91,7 @@ void EvaluatorReal<Real>::Evaluate(const BufferView<const Real>& source, const B
     }
     BufferView<const Real> from = source;
     for (int i = 1; i < n_levels; ++i) {
-        std::vector<Real>& scratch = scratch_[i % 2];
+        Array<Real>& scratch = scratch_[i % 2];
         scratch.resize(static_cast<std::size_t>(table_.level(i).n_rows()) * static_cast<std::size_t>(length));
         const BufferView<Real> to(std::span<Real>(scratch), length);
         Apply(i, from, to);
@@ -119,7 +119,7 @@ void EvaluatorReal<Real>::EvaluateRange(int level, const BufferView<const Real>&
         throw InvalidInput("rows " + std::to_string(begin) + " to " + std::to_string(end) + " of level " +
                            std::to_string(level) + " are not all there");
     }
-    RequireFit(source, table_.level(level).n_sources, destination, end);
+    RequireFit(source, table_.level(level).n_sources, destination, begin < end ? end : 0);
     backend_.template eval<Real>()(table_.level(level), source, destination, begin, end);
 }
 

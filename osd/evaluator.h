@@ -10,7 +10,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include <solidsubdiv/osd/backend.h>
 
@@ -21,6 +20,7 @@ class EvaluatorReal {
   public:
     EvaluatorReal(const Far::StencilTableReal<Real>& table, const Backend& backend)
         : table_(table), backend_(backend) {}
+    EvaluatorReal(Far::StencilTableReal<Real>&& table, const Backend& backend) = delete;  // it would be gone at once
 
     const Backend& backend() const { return backend_; }
     /// Rows of the last level (or of the composite table).
@@ -28,20 +28,21 @@ class EvaluatorReal {
     /// Rows of all levels together.
     Offset n_vertices_of_all_levels() const;
 
-    /// Values of the last level. Source: (control vertices, length), destination: (n_refined_vertices, length); lengths
-    /// equal.
-    /// @throws InvalidInput where a view is too small, lengths differ, or source and destination overlap.
+    /// Values of the last level. Source: (control vertices, length), destination: (n_refined_vertices, length).
+    /// @throws InvalidInput where a view is too small, lengths differ, or source and destination overlap (elements of
+    /// one array that lie interleaved with one stride do not)
     void Evaluate(const BufferView<const Real>& source, const BufferView<Real>& destination);
     /// Packed rows of `width`.
     void Evaluate(std::span<const Real> source, std::span<Real> destination, int width = 3) {
         Evaluate(BufferView<const Real>(source, width), BufferView<Real>(destination, width));
     }
 
-    /// Values of all levels, level 1 first, one after another: (n_vertices_of_all_levels, length).
+    /// Values of all levels, level 1 first, one after another: (n_vertices_of_all_levels, length). @throws as Evaluate
     void EvaluateAllLevels(const BufferView<const Real>& source, const BufferView<Real>& destination);
 
-    /// Rows [begin, end) of one level from the values of the level before; destination i of the range goes to begin +
-    /// i.
+    /// Rows [begin, end) of one level from the values of the level before: row i goes to element i of the destination,
+    /// which needs to hold `end` elements; others are not touched.
+    /// @throws InvalidInput as Evaluate, and where level or rows are not there
     void EvaluateRange(int level, const BufferView<const Real>& source, const BufferView<Real>& destination,
                        Index begin, Index end);
 
@@ -50,7 +51,7 @@ class EvaluatorReal {
 
     const Far::StencilTableReal<Real>& table_;
     const Backend& backend_;
-    std::vector<Real> scratch_[2];
+    Array<Real> scratch_[2];  // of levels between, by turns
 };
 
 using Evaluator = EvaluatorReal<double>;

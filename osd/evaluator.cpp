@@ -19,7 +19,10 @@ void RequireView(const View& view, Offset n, const char* name) {
     }
     if (!view.Holds(n)) {
         throw InvalidInput(std::string(name) + " holds " + std::to_string(view.size) + " numbers; " +
-                           std::to_string(n) + " elements of length " + std::to_string(d.length) + " do not fit");
+                           std::to_string(n) + " elements of length " + std::to_string(d.length) + " from offset " +
+                           std::to_string(d.offset) + " with stride " + std::to_string(d.stride) + " need " +
+                           std::to_string(static_cast<unsigned long long>(d.offset) +
+                                          static_cast<unsigned long long>((n - 1) * d.stride + d.length)));
     }
 }
 

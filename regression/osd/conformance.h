@@ -232,7 +232,7 @@ std::string SharesRecords(Eval<Real> eval) {
         const int stride = 2 * length;
         for (const int first : {0, length}) {
             Trial<Real> apart(rows, {first, length, stride}, {length - first, length, stride}, 20);
-            std::vector<Real> records(static_cast<std::size_t>(300 * stride));
+            std::vector<Real> records(static_cast<std::size_t>(300 * stride) + 1);
             for (Index i = 0; i < 300; ++i)
                 std::copy_n(apart.Source() + i * stride, length, records.begin() + i * stride + first);
             apart.Run(eval);

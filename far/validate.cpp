@@ -5,7 +5,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/check.h>
-#include <solidsubdiv/vtr/internal/unique_tuples.h>
+#include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Far {
 
@@ -73,7 +73,7 @@ class KindCheck {
             std::copy_n(vertices_.begin() + i * static_cast<Offset>(N), N, t.begin());
             return t;
         };
-        const Vtr::Internal::UniqueTuples<N> unique(n_vertices_, n, tuple);
+        const Vtr::UniqueTuples<N> unique(n_vertices_, n, tuple);
         if (unique.size() == n) return;
         std::vector<Index> first(unique.size(), kNoIndex);
         for (Offset i = 0; i < n; ++i) {

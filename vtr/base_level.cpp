@@ -6,14 +6,13 @@
 #include <array>
 
 #include <solidsubdiv/sdc/parallel.h>
-#include <solidsubdiv/vtr/internal/unique_tuples.h>
 #include <solidsubdiv/vtr/internal/vertex_rules.h>
+#include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Vtr {
 
 namespace {
 
-using Internal::UniqueTuples;
 using Sdc::Oct;
 using Sdc::Tet;
 

@@ -9,7 +9,7 @@
 #include <solidsubdiv/sdc/types.h>
 #include <solidsubdiv/vtr/relation.h>
 
-namespace SolidSubdiv::Vtr::Internal {
+namespace SolidSubdiv::Vtr {
 
 template <std::size_t N>
 struct UniqueTuples {
@@ -75,4 +75,4 @@ struct UniqueTuples {
     }
 };
 
-}  // namespace SolidSubdiv::Vtr::Internal
+}  // namespace SolidSubdiv::Vtr

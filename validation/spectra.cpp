@@ -122,7 +122,7 @@ Findings ValidateSpectra(const Context&) {
     const RefinedPoints with_octs = RefinePoints(truss.vertices, truss.tets, truss.octs, 2);
     const RefinedPoints without = RefinePoints(tets.vertices, tets.tets, tets.octs, 2);
     const Index middle = truss.VertexAt({2, 2, 2}), middle_of_tets = tets.VertexAt({1, 1, 1});
-    const std::vector<QuotedEigenvalue> box_spline = {{1, 1}, {0.5, 3}, {0.25, 6}, {0.125, 1}};
+    const std::vector<QuotedEigenvalue> box_spline = {{1, 1}, {0.5, 3}, {0.25, 6}, {0.125, 4}, {0.0625, 1}};
     for (const int level : {0, 1}) {
         const std::string at = ", level " + std::to_string(level);
         check("octet truss" + at, with_octs, level, middle, directional, box_spline);

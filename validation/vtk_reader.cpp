@@ -119,16 +119,8 @@ Findings ValidateVtkReader(const Context& context) {
     WriteEveryForm(Refine(large, 1, Sdc::LinearSolid{}), "bunny_lattice, linear, level 1", context, files);
     WriteEveryForm(Refine(Io::ReadMesh(context.shapes / "demo" / "bunny.obj"), 1, Sdc::Loop{}),
                    "bunny surface, level 1", context, files);
-    RunProgram(lattice, context, files, findings);
-    for (const WrittenFile& file : files) {
-        if (file.expected.n_inverted > 0) findings.Fault(file.name + ": a cell of no positive volume");
-    }
-    // A smooth scheme may turn cells of a coarse lattice inside out: here VTK must find as many of them as we do.
-    const std::size_t n_positive = files.size();
     WriteEveryForm(Refine(large, 1, Sdc::BoxSpline{}), "bunny_lattice, box spline, level 1", context, files);
-    findings.notes.push_back(
-        "bunny_lattice, box spline, level 1: " + std::to_string(files[n_positive].expected.n_inverted) +
-        " tets are inverted by the scheme itself");
+    RunProgram(lattice, context, files, findings);
 
     std::vector<std::filesystem::path> paths = {bunny, lattice};
     for (const WrittenFile& file : files) paths.push_back(file.path);
@@ -136,7 +128,9 @@ Findings ValidateVtkReader(const Context& context) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Findings found;
         const bool committed = i < 2;
-        CompareGrids(committed ? Expect(Io::ReadMesh(paths[i]), true) : files[i - 2].expected, grids[i], found);
+        const GridSummary expected = committed ? Expect(Io::ReadMesh(paths[i]), true) : files[i - 2].expected;
+        if (expected.n_inverted > 0) found.Fault("a cell of no positive volume");
+        CompareGrids(expected, grids[i], found);
         findings.Merge(found, committed ? paths[i].filename().string() : files[i - 2].name);
     }
     findings.notes.push_back(std::to_string(paths.size()) + " files");

@@ -52,7 +52,7 @@ void Session::Stage(std::string_view name) {
     EndStage();
     stage_ = name;
     stage_began_ = Clock::now();
-    bar_.Show(name, 0);
+    bar_.Show(name, -1);
 }
 
 void Session::EndStage() {

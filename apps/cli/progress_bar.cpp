@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kPatience = std::chrono::seconds(1);
 constexpr auto kRefresh = std::chrono::milliseconds(200);
-constexpr int kWidth = 30;
+constexpr std::size_t kWidth = 30;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void ProgressBar::Show(std::string_view what, double fraction) {
     const std::lock_guard lock(mutex_);
     if (what_.empty()) began_ = std::chrono::steady_clock::now();
     what_ = what;
-    fraction_ = std::clamp(fraction, 0.0, 1.0);
+    fraction_ = std::min(fraction, 1.0);
 }
 
 void ProgressBar::Hide() {
@@ -47,11 +47,14 @@ void ProgressBar::Run(std::stop_token stop) {
         changed_.wait_for(lock, stop, kRefresh, [] { return false; });
         const auto elapsed = std::chrono::steady_clock::now() - began_;
         if (stop.stop_requested() || what_.empty() || elapsed < kPatience) continue;
-        const int n_full = static_cast<int>(fraction_ * kWidth);
-        const std::string bar(static_cast<std::size_t>(n_full), '#'),
-            rest(static_cast<std::size_t>(kWidth - n_full), '.');
-        std::fprintf(stderr, "\r\033[K[%s%s] %3.0f %%  %s  %.0f s", bar.c_str(), rest.c_str(), 100 * fraction_,
-                     what_.c_str(), std::chrono::duration<double>(elapsed).count());
+        std::string bar;
+        if (fraction_ >= 0) {
+            const auto n_full = static_cast<std::size_t>(fraction_ * kWidth);
+            bar = "[" + std::string(n_full, '#') + std::string(kWidth - n_full, '.') + "] " +
+                  std::to_string(static_cast<int>(100 * fraction_)) + " %  ";
+        }
+        std::fprintf(stderr, "\r\033[K%s%s  %.0f s", bar.c_str(), what_.c_str(),
+                     std::chrono::duration<double>(elapsed).count());
         std::fflush(stderr);
         is_drawn_ = true;
     }

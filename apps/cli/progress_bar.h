@@ -20,7 +20,7 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// What is being done, and how much of it, in [0, 1]. Drawn after a second.
+    /// What is being done, and how much of it, in [0, 1], or less than 0 if that is not known. Drawn after a second.
     void Show(std::string_view what, double fraction);
     /// Clears the line; the next Show begins a new second.
     void Hide();

@@ -14,8 +14,8 @@ TEST_F(CliInfo, CountsBoxVolumeAndBoundaryOfASolid) {
     const auto json = Json("info lattice.vtu");
     EXPECT_EQ(json["counts"]["vertices"], 16);
     EXPECT_EQ(json["counts"]["tetrahedra"], 28);
-    EXPECT_EQ(json["bounding_box"]["low"], nlohmann::json({-1.0, -1.0, -1.0}));
-    EXPECT_EQ(json["bounding_box"]["high"], nlohmann::json({4.0, 4.0, 4.0}));
+    EXPECT_EQ(json["bounding_box"]["low"], nlohmann::json::array({-1.0, -1.0, -1.0}));
+    EXPECT_EQ(json["bounding_box"]["high"], nlohmann::json::array({4.0, 4.0, 4.0}));
     // 64/6 of the large tet; three tets of height 1 on faces of area 8; a third of the large face times its cap:
     // det of two sides and the shift (1,1,1) from the mean is 48, a third of it, over six.
     EXPECT_NEAR(json["volume"]["sum"].get<double>(), 64.0 / 6 + 3 * 8.0 / 3 + 48.0 / 3 / 6, 1e-12);
@@ -40,9 +40,9 @@ TEST_F(CliInfo, ListsWhatIsWrongWithoutFailing) {
     mesh.topology.tets.insert(mesh.topology.tets.end(), {0, 1, 2, 3});
     WriteMesh("bad.vtu", mesh);
     const auto json = Json("info bad.vtu");
-    EXPECT_EQ(json["inverted"]["tetrahedra"]["first"], nlohmann::json({0}));
-    EXPECT_EQ(json["zero_volume"]["tetrahedra"]["first"], nlohmann::json({1}));
-    EXPECT_EQ(json["coincident_vertices"]["first"], nlohmann::json({6}));
+    EXPECT_EQ(json["inverted"]["tetrahedra"]["first"], nlohmann::json::array({0}));
+    EXPECT_EQ(json["zero_volume"]["tetrahedra"]["first"], nlohmann::json::array({1}));
+    EXPECT_EQ(json["coincident_vertices"]["first"], nlohmann::json::array({6}));
     ASSERT_GE(json["defects"].size(), 1u);
     EXPECT_EQ(json["defects"][0]["code"], "duplicate element");
     EXPECT_EQ(json["defects"][0]["fatal"], true);
@@ -94,8 +94,8 @@ TEST_F(CliInfo, OtherKindsAreCountedAndWhatIsLeftOutIsSaid) {
     const auto json = Json("info hex.vtu");
     EXPECT_EQ(json["counts"]["hexahedra"], 1);
     EXPECT_NEAR(json["volume"]["sum"].get<double>(), 8, 1e-14);
-    EXPECT_EQ(json["point_data"][0]["low"], nlohmann::json({1.0, -8.0}));
-    EXPECT_EQ(json["point_data"][0]["high"], nlohmann::json({8.0, -1.0}));
+    EXPECT_EQ(json["point_data"][0]["low"], nlohmann::json::array({1.0, -8.0}));
+    EXPECT_EQ(json["point_data"][0]["high"], nlohmann::json::array({8.0, -1.0}));
     EXPECT_THAT(json["analysis"].get<std::string>(), HasSubstr("tetrahedra, octahedra, triangles and edges only"));
     EXPECT_FALSE(json.contains("boundary"));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of a solid from outside, whole or with the cells on one side of a plane taken away.
+// What is seen of a solid from outside, whole or with the cells on one side of a plane taken away. See slice.h for
+// smooth cuts.
 //
 //     Picture::SolidFaces cut = Picture::CutSolid(mesh, {.point = {0, 0, 0}, .normal = {1, 0, 0}});
 //     scene.Add(Picture::Surface{.positions = mesh.positions, .triangles = cut.triangles,
@@ -17,7 +18,10 @@ namespace SolidSubdiv::Picture {
 
 enum class CellKind : unsigned char { Tet, Oct, Hex, Wedge, Pyramid };
 
-/// Cells whose centroid lies on the side to which `normal` points are taken away.
+/// The colour of a kind of cell in the project's pictures.
+Color ColorOf(CellKind kind);
+
+/// What lies on the side to which `normal` points is taken away.
 struct Plane {
     std::array<double, 3> point{};
     std::array<double, 3> normal{1, 0, 0};  ///< any length but zero
@@ -36,10 +40,10 @@ struct SolidFaces {
 };
 
 /// The boundary of the whole solid. General polyhedra are refused.
-/// @pre indices are in range (io guarantees it). @throws InvalidInput. Cost: a sort of all faces.
+/// @pre indices are in range (io guarantees it). @throws InvalidInput. Cost: all faces pass once.
 SolidFaces SolidBoundary(const Io::Mesh& mesh);
 
-/// The boundary of what the cut leaves.
+/// The boundary of the cells whose centroid the plane leaves: whole cells, a rough cut that shows their shapes.
 SolidFaces CutSolid(const Io::Mesh& mesh, const Plane& plane);
 
 /// The edges of a mesh's elements of every kind, each once, as pairs of vertices: what shows a control lattice.

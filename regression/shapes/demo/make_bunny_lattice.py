@@ -302,7 +302,8 @@ def limit_matrix(n, t):
 
 
 def fit(v, t, surface, smoothness):
-    """Control points whose limit surface, sampled at level 2, is nearest to the scan."""
+    """Control points whose limit surface, sampled at level 2, is nearest to the scan, and the scan's vertices to it: the
+    second keeps the ears from drawing back."""
     limit, edges = limit_matrix(len(v), t)
     sample, fine = sp.identity(len(v), format="csr"), t
     for _ in range(2):
@@ -317,8 +318,9 @@ def fit(v, t, surface, smoothness):
     for _ in range(12):
         points = sample @ control
         target = surface.closest(points, vertex_normals(points, fine))
-        a = sample.T @ sample + smoothness * thin_plate
-        control = spla.splu(a.tocsc()).solve(sample.T @ target)
+        nearest = sample[cKDTree(points).query(surface.v)[1]]
+        a = sample.T @ sample + nearest.T @ nearest + smoothness * thin_plate
+        control = spla.splu(a.tocsc()).solve(sample.T @ target + nearest.T @ surface.v)
     return control, limit, sample, fine
 
 
@@ -330,7 +332,7 @@ def fill(points, triangles, interior_volume):
         with open(base + ".poly", "w") as out:
             out.write(f"{len(points)} 3 0 0\n" + "".join(f"{i} {p[0]:.17g} {p[1]:.17g} {p[2]:.17g}\n" for i, p in enumerate(points)))
             out.write(f"{len(triangles)} 0\n" + "".join(f"1\n3 {f[0]} {f[1]} {f[2]}\n" for f in triangles) + "0\n0\n")
-        subprocess.run(["tetgen", f"-pYq1.4/10a{interior_volume}Q", base + ".poly"], check=True)
+        subprocess.run(["tetgen", f"-pYq1.3/12a{interior_volume}Q", base + ".poly"], check=True)
         node = [line.split() for line in open(base + ".1.node") if not line.startswith("#")]
         ele = [line.split() for line in open(base + ".1.ele") if not line.startswith("#")]
     new_points = np.array([[float(w) for w in row[1:4]] for row in node[1:] if row])
@@ -517,11 +519,14 @@ def check(points, tets, n_boundary):
     return len(boundary)
 
 
-def report(control, limit, sample, scan):
+def report(control, limit, sample, fine, scan):
     for name, matrix in (("limit surface", sample), ("limits of the control vertices", limit)):
         points = matrix @ control
         distance = np.linalg.norm(scan.closest(points) - points, axis=1)
         print(f"{name} to scan: mean {distance.mean():.4f}, largest {distance.max():.4f}")
+    points = sample @ control
+    distance = np.linalg.norm(Surface(points, fine).closest(scan.v, k=60) - scan.v, axis=1)
+    print(f"scan to limit surface: mean {distance.mean():.4f}, largest {distance.max():.4f}")
 
 
 def main():
@@ -537,11 +542,11 @@ def main():
     print(f"control surface: {len(v)} vertices, {len(t)} triangles, valences",
           np.bincount(np.bincount(t.ravel(), minlength=len(v))).tolist())
 
-    control, limit, sample, fine = fit(v, t, scan, 0.05)
+    control, limit, sample, fine = fit(v, t, scan, 0.3)
     for _ in range(4):  # the control vertices' own limit positions onto the scan
         points = limit @ control
         control += scan.closest(points, vertex_normals(points, t)) - points
-    report(control, limit, sample, scan)
+    report(control, limit, sample, fine, scan)
     control = np.round(control, 5)
 
     points, tets = fill(control, t, INTERIOR_VOLUME)
@@ -555,7 +560,7 @@ def main():
     points = np.round(unfold(points, tets, len(control), t), 5)
     control = points[: len(control)]
     n_faces = check(points, tets, len(control))
-    report(control, limit, sample, scan)
+    report(control, limit, sample, fine, scan)
 
     depth = np.linalg.norm(Surface(control, t).closest(points, k=60) - points, axis=1)
     density = 1 + 2 * np.clip(depth / depth.max(), 0, 1) ** 0.75

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts scenes of several levels together; see refinement_picture.h.
+#include <solidsubdiv/kit/picture/refinement_picture.h>
+#include <solidsubdiv/kit/picture/slice.h>
+#include <solidsubdiv/sdc/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace SolidSubdiv::Picture {
+namespace {
+
+/// The triangles that are seen of a mesh: a solid's boundary, and its surface elements.
+std::vector<Index> VisibleTriangles(const Io::Mesh& mesh) {
+    std::vector<Index> triangles;
+    if (mesh.topology.n_cells() > 0) {
+        triangles = SolidBoundary(mesh).triangles;
+    } else {
+        triangles = mesh.topology.triangles;
+        const std::vector<Index>& quads = mesh.topology.quads;
+        for (std::size_t q = 0; q + 4 <= quads.size(); q += 4) {
+            triangles.insert(triangles.end(),
+                             {quads[q], quads[q + 1], quads[q + 2], quads[q], quads[q + 2], quads[q + 3]});
+        }
+    }
+    return triangles;
+}
+
+/// The edges that are seen of a mesh from outside.
+std::vector<Index> VisibleEdges(const Io::Mesh& mesh, const std::vector<Index>& triangles) {
+    Io::Topology seen;
+    if (mesh.topology.n_cells() > 0) {
+        seen.triangles = triangles;  // of a quadrilateral's diagonal too: solids of hexes are shown as such rarely
+    } else {
+        seen.triangles = mesh.topology.triangles;
+        seen.quads = mesh.topology.quads;
+        seen.edges = mesh.topology.edges;
+    }
+    return ElementEdges(seen);
+}
+
+/// Lines as wide as a picture with that many edges bears.
+double LineWidth(std::size_t n_edges, const RenderOptions& render, double most) {
+    const double spacing =
+        std::min(render.width, render.height) / std::sqrt(static_cast<double>(std::max<std::size_t>(1, n_edges)));
+    return std::clamp(0.14 * spacing, 0.4, most);
+}
+
+Scene LatticeScene(const Io::Mesh& lattice, const Io::Mesh& shape, const RenderOptions& render) {
+    const std::vector<Index> skin = VisibleTriangles(shape), lattice_skin = VisibleTriangles(lattice);
+    const std::vector<Index> edges = VisibleEdges(lattice, lattice_skin);
+    const double width = LineWidth(edges.size() / 2, render, 4);
+    std::vector<Index> ends = edges;
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<double> points;
+    for (Index v : ends) {
+        const double* p = &lattice.positions[3 * static_cast<std::size_t>(v)];
+        points.insert(points.end(), {p[0], p[1], p[2]});
+    }
+    Scene scene;
+    scene.Add(Surface{.positions = shape.positions, .triangles = skin});
+    scene.Add(Lines{
+        .positions = lattice.positions, .edges = edges, .color = Palette::kLattice, .width = width, .shaded = true});
+    scene.Add(Points{.positions = points, .color = Palette::kLattice, .diameter = 2.7 * width});
+    return scene;
+}
+
+Scene WireframeScene(const Io::Mesh& mesh, const RenderOptions& render) {
+    const std::vector<Index> skin = VisibleTriangles(mesh), edges = VisibleEdges(mesh, skin);
+    Scene scene;
+    scene.Add(Surface{.positions = mesh.positions, .triangles = skin, .material = {.smooth = false}});
+    scene.Add(Lines{.positions = mesh.positions, .edges = edges, .width = LineWidth(edges.size() / 2, render, 1.2)});
+    return scene;
+}
+
+/// Through the middle of the mesh, facing the viewer but for a small turn that shows that there is something behind.
+Plane CutPlane(const Io::Mesh& mesh, const View& view) {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
+        high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
+    }
+    const double angle = (view.azimuth - 6) * std::numbers::pi / 180, x = std::sin(angle), back = std::cos(angle);
+    Plane plane;
+    plane.normal = view.up == UpAxis::Y ? std::array{x, 0.0, back} : std::array{x, -back, 0.0};
+    for (std::size_t k = 0; k < 3; ++k) plane.point[k] = 0.5 * (low[k] + high[k]);
+    return plane;
+}
+
+Scene CellsScene(const Io::Mesh& mesh, const Plane& plane, const RenderOptions& render) {
+    const SolidFaces cut = CutSolid(mesh, plane);
+    const std::vector<Color> colors = cut.ColorsByKind(Palette::kSkin);
+    Scene scene;
+    scene.Add(Surface{.positions = mesh.positions,
+                      .triangles = cut.triangles,
+                      .material = {.crease_angle = 30},
+                      .triangle_colors = colors});
+    scene.Add(
+        Lines{.positions = mesh.positions, .edges = cut.edges, .width = LineWidth(cut.edges.size() / 2, render, 1.2)});
+    return scene;
+}
+
+/// The least and greatest finite number.
+std::pair<double, double> Range(const std::vector<double>& values) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (double x : values) {
+        if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+    }
+    return {low, high};
+}
+
+const Io::Attribute* ChooseAttribute(const Io::Mesh& mesh, const std::string& name) {
+    for (const Io::Attribute& a : mesh.point_data) {
+        const auto [low, high] = Range(a.values);
+        if (a.width == 1 && (name.empty() ? low < high : a.name == name)) return &a;
+    }
+    if (name.empty()) return nullptr;
+    throw InvalidInput("picture: the mesh has no point attribute '" + name + "' of one number a point");
+}
+
+Scene SliceScene(const Io::Mesh& mesh, const Plane& plane, const Io::Attribute* attribute,
+                 std::pair<double, double> range) {
+    const SolidSlice slice =
+        SliceSolid(mesh, plane, attribute == nullptr ? std::span<const double>() : attribute->values);
+    const std::vector<Color> colors = slice.CapColorsByKind();
+    Scene scene;
+    scene.Add(Surface{.positions = slice.positions, .triangles = slice.skin});
+    Surface cap{.positions = slice.positions, .triangles = slice.cap, .material = {.smooth = false, .gloss = 0}};
+    if (attribute != nullptr) {
+        cap.values = slice.values;
+        cap.low = range.first;
+        cap.high = range.second;
+    } else {
+        cap.triangle_colors = colors;
+    }
+    scene.Add(cap);
+    return scene;
+}
+
+std::string LevelName(std::size_t level) { return "level " + std::to_string(level); }
+
+}  // namespace
+
+Image RefinementPicture(std::span<const Io::Mesh* const> levels, const RefinementPictureOptions& options,
+                        const Progress& progress) {
+    if (levels.empty()) throw InvalidInput("picture: there is no level to show");
+    const std::size_t last = levels.size() - 1;
+    std::vector<Scene> scenes;
+    std::vector<std::string> captions;
+    std::optional<ColorBar> bar;
+
+    scenes.push_back(LatticeScene(*levels[0], *levels[last], options.render));
+    captions.push_back("control lattice and its shape");
+    if (last >= 1) {
+        scenes.push_back(WireframeScene(*levels[1], options.render));
+        captions.push_back(LevelName(1));
+    }
+    if (levels[last]->topology.n_cells() > 0) {
+        const Plane plane = CutPlane(*levels[0], options.view);
+        const std::size_t middle = std::min<std::size_t>(2, last);
+        scenes.push_back(CellsScene(*levels[middle], plane, options.render));
+        captions.push_back(LevelName(middle) + ", cut open");
+        const Io::Attribute* attribute = ChooseAttribute(*levels[last], options.attribute);
+        std::pair<double, double> range{0, 0};
+        if (attribute != nullptr) {
+            range = Range(attribute->values);
+            bar = ColorBar{.low = range.first, .high = range.second, .title = attribute->name};
+        }
+        scenes.push_back(SliceScene(*levels[last], plane, attribute, range));
+        captions.push_back(LevelName(last) + ", sliced");
+    } else if (last >= 2) {
+        const std::vector<Index> skin = VisibleTriangles(*levels[last]);
+        scenes.emplace_back().Add(Surface{.positions = levels[last]->positions, .triangles = skin});
+        captions.push_back(LevelName(last));
+    }
+
+    std::vector<ScenePanel> panels;
+    for (std::size_t i = 0; i < scenes.size(); ++i) panels.push_back({&scenes[i], captions[i], {}});
+    panels.back().color_bar = bar;
+    return RenderPanels(panels, options.view, options.render, options.panels, progress);
+}
+
+}  // namespace SolidSubdiv::Picture

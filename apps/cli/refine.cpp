@@ -16,7 +16,7 @@
 #include <solidsubdiv/apps/cli/refinement.h>
 #include <solidsubdiv/kit/io/formats.h>
 #ifdef SOLIDSUBDIV_HAS_PICTURES
-#include <solidsubdiv/apps/cli/panels.h>
+#include <solidsubdiv/kit/picture/refinement_picture.h>
 #endif
 
 namespace SolidSubdiv::Cli {
@@ -94,7 +94,7 @@ class RefineCommand {
         settings.levels = options_.levels;
         settings.orient = Geometry::OrientationPolicyOf(options_.orient);
         settings.limit = options_.limit;
-        settings.keep_first = !options_.picture.empty() && options_.levels > 1;
+        settings.keep_levels = !options_.picture.empty();
         Json& json = json_["settings"];
         json = {{"scheme", Sdc::NameOf(settings.choice.scheme)}};
         for (const auto& [name, value] : OptionValues(options_.scheme, settings.choice.scheme)) json[name] = value;
@@ -162,12 +162,10 @@ class RefineCommand {
 #ifdef SOLIDSUBDIV_HAS_PICTURES
         if (!picture_.empty()) {
             session_.Stage("picture");
-            WriteRefinementPicture(picture_,
-                                   {.refiner = refinement.refiner(),
-                                    .control_positions = refinement.control().positions,
-                                    .first_positions = refinement.first_positions(),
-                                    .last = refinement.result()},
-                                   session_.progress());
+            std::vector<const Io::Mesh*> levels;
+            for (const Io::Mesh& mesh : refinement.earlier()) levels.push_back(&mesh);
+            levels.push_back(&refinement.result());
+            Picture::WritePng(picture_, Picture::RefinementPicture(levels, {}, session_.progress()));
             AddOutput("picture", options_.picture, picture_);
         }
 #endif
@@ -265,9 +263,7 @@ void AddOutputOptions(CLI::App& command, RefineOptions& o) {
                     "control vertices (columns) as a Matrix Market file")
         ->option_text("FILE");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
-    command
-        .add_option("--picture", o.picture,
-                    "draw control lattice, first level, last level and a cut\nthrough it, as a PNG")
+    command.add_option("--picture", o.picture, "draw the control lattice, level 1, a cut and a slice, as a PNG")
         ->option_text("FILE");
 #endif
 }

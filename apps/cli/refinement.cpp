@@ -118,23 +118,28 @@ void Refinement::Evaluate() {
     const auto table = Far::StencilTable::Create(*refiner_, settings_.choice.scheme, {.progress = session_.progress()});
     stencil_bytes_ = table.Bytes();
     session_.Stage("evaluate");
-    if (settings_.levels > 0) {
-        Osd::Evaluator evaluator(table, Osd::Backend::Best());
-        const auto n = static_cast<std::size_t>(evaluator.n_refined_vertices());
+    Osd::Evaluator evaluator(table, Osd::Backend::Best());
+    for (int level = 1; level <= settings_.levels; ++level) {
+        if (settings_.keep_levels) KeepLevel(level - 1);
+        const Index n = refiner_->level(level).n_vertices;
         const auto evaluate = [&](std::vector<double>& values, int width) {
-            std::vector<double> refined(n * static_cast<std::size_t>(width));
-            evaluator.Evaluate(values, refined, width);
+            std::vector<double> refined(static_cast<std::size_t>(n) * static_cast<std::size_t>(width));
+            evaluator.EvaluateRange(level, Osd::BufferView<const double>(values, width),
+                                    Osd::BufferView<double>(refined, width), 0, n);
             values = std::move(refined);
         };
         evaluate(result_.positions, 3);
         for (Io::Attribute& attribute : result_.point_data) evaluate(attribute.values, attribute.width);
-        if (settings_.keep_first) {
-            first_positions_.resize(3 * static_cast<std::size_t>(refiner_->level(1).n_vertices));
-            evaluator.EvaluateRange(1, Osd::BufferView<const double>(control_.positions, 3),
-                                    Osd::BufferView<double>(first_positions_, 3), 0, refiner_->level(1).n_vertices);
-        }
     }
     if (settings_.limit) ApplyLimit();
+}
+
+void Refinement::KeepLevel(int level) {
+    earlier_.push_back({.topology = RefinedElements(control_.topology, *refiner_).At(level),
+                        .positions = result_.positions,
+                        .point_data = result_.point_data,
+                        .cell_data = {},
+                        .notes = {}});
 }
 
 void Refinement::ApplyLimit() {

@@ -18,8 +18,8 @@ struct RefinementSettings {
     SchemeChoice choice;
     int levels = 1;
     Geometry::OrientationPolicy orient = Geometry::OrientationPolicy::Repair;
-    bool limit = false;       ///< push the vertices of the last level to their limits
-    bool keep_first = false;  ///< keep the positions of level 1 for a picture
+    bool limit = false;        ///< push the vertices of the last level to their limits
+    bool keep_levels = false;  ///< keep the levels before the last for a picture
 };
 
 class Refinement {
@@ -34,10 +34,11 @@ class Refinement {
     Offset stencil_bytes() const { return stencil_bytes_; }
     Offset n_tags() const { return n_tags_; }  ///< elements of the input that lie on parts of higher dimension
     Offset n_without_limit() const { return n_without_limit_; }
-    const std::vector<double>& first_positions() const { return first_positions_; }
 
     /// Elements, positions and data of the last level.
     const Io::Mesh& result() const { return result_; }
+    /// The levels before the last, if they were to be kept.
+    const std::vector<Io::Mesh>& earlier() const { return earlier_; }
 
     /// The boundary of the last level, over its own vertices, with their data.
     Io::Mesh Boundary() const;
@@ -47,6 +48,7 @@ class Refinement {
     void ChooseDiagonals();
     void RefineTopology();
     void Evaluate();
+    void KeepLevel(int level);
     void ApplyLimit();
     void GatherElements();
     void GatherControl();
@@ -57,7 +59,7 @@ class Refinement {
     Geometry::OrientationReport orientation_;
     Far::DiagonalChoice diagonals_;
     std::optional<Far::TopologyRefiner> refiner_;
-    std::vector<double> first_positions_;
+    std::vector<Io::Mesh> earlier_;
     Offset stencil_bytes_ = 0;
     Offset n_tags_ = 0;
     Offset n_without_limit_ = 0;

@@ -83,7 +83,13 @@ TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sd
 
 Vtr::Counts TopologyRefiner::CountsAt(int level) const {
     Vtr::Counts counts = Vtr::CountsOf(levels_[0]);
-    for (int i = 0; i < level; ++i) counts = Vtr::Refine(counts);
+    for (int i = 0; i < level; ++i) {
+        // One split makes at most 24 + 4 + 4 times as many of a kind.
+        if (counts.Largest() > std::numeric_limits<Offset>::max() / 64) {
+            throw InvalidInput("level " + std::to_string(level) + " has more components than 64 bits count");
+        }
+        counts = Vtr::Refine(counts);
+    }
     return counts;
 }
 

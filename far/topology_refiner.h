@@ -47,7 +47,7 @@ class TopologyRefiner {
     int max_level() const { return static_cast<int>(levels_.size()) - 1; }
     const Level& level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
 
-    /// Counts that a level has or would have, refined or not.
+    /// Counts that a level has or would have, refined or not. @throws InvalidInput where 64 bits don't hold them
     Vtr::Counts CountsAt(int level) const;
 
     /// What is imperfect in the mesh but followed by rule; see Validate.

@@ -66,6 +66,8 @@ TEST(RefineUniformTest, CountsAreKnownBeforehand) {
     const auto expected = refiner.CountsAt(3);
     refiner.RefineUniform({.max_level = 3});
     EXPECT_EQ(Vtr::CountsOf(refiner.level(3)), expected);
+    EXPECT_GT(refiner.CountsAt(15).n_cells(), Offset{1} << 40);
+    EXPECT_THROW(refiner.CountsAt(40), InvalidInput);
 }
 
 TEST(RefineUniformTest, CanBeCancelled) {

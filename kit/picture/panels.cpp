@@ -35,20 +35,19 @@ Image Arrange(std::span<const Panel> panels, const PanelOptions& options) {
     const std::size_t n = panels.size();
     const std::size_t columns = options.columns == 0 ? n : std::min(n, static_cast<std::size_t>(options.columns));
     const std::size_t rows = (n + columns - 1) / columns;
-    const auto any = [&](auto has) { return std::any_of(panels.begin(), panels.end(), has); };
     const double letter = options.caption.size;
-    const int caption_height = any([](const Panel& p) { return !p.caption.empty(); }) ? Round(2.2 * letter) : 0;
-    const int bar_height = any([](const Panel& p) { return p.color_bar.has_value(); }) ? Round(3.4 * letter) : 0;
-    const int foot = caption_height + bar_height;
+    const int caption_height = Round(2.2 * letter), bar_height = Round(3.4 * letter);
 
-    std::vector<int> widths(columns, 0), heights(rows, 0);
+    std::vector<int> widths(columns, 0), heights(rows, 0), captions(rows, 0), bars(rows, 0);
     for (std::size_t i = 0; i < n; ++i) {
         widths[i % columns] = std::max(widths[i % columns], panels[i].image.width());
         heights[i / columns] = std::max(heights[i / columns], panels[i].image.height());
+        if (!panels[i].caption.empty()) captions[i / columns] = caption_height;
+        if (panels[i].color_bar) bars[i / columns] = bar_height;
     }
     int width = options.gap, height = options.gap;
     for (int w : widths) width += w + options.gap;
-    for (int h : heights) height += h + foot + options.gap;
+    for (std::size_t row = 0; row < rows; ++row) height += heights[row] + captions[row] + bars[row] + options.gap;
 
     Image all(width, height, options.background);
     int y = options.gap;
@@ -63,12 +62,12 @@ Image Arrange(std::span<const Panel> panels, const PanelOptions& options) {
                      y + heights[row] + 0.5 * (caption_height + letter), panel.caption, options.caption);
             if (panel.color_bar) {
                 const int length = std::max(1, widths[column] * 3 / 5);
-                DrawColorBar(all, x + (widths[column] - length) / 2, y + heights[row] + caption_height, length,
+                DrawColorBar(all, x + (widths[column] - length) / 2, y + heights[row] + captions[row], length,
                              *panel.color_bar, options.caption);
             }
             x += widths[column] + options.gap;
         }
-        y += heights[row] + foot + options.gap;
+        y += heights[row] + captions[row] + bars[row] + options.gap;
     }
     return all;
 }

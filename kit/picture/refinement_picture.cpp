@@ -161,7 +161,8 @@ Image RefinementPicture(std::span<const Io::Mesh* const> levels, const Refinemen
         const Plane plane = CutPlane(*levels[0], options.view);
         const std::size_t middle = std::min<std::size_t>(2, last);
         scenes.push_back(CellsScene(*levels[middle], plane, options.render));
-        captions.push_back(LevelName(middle) + ", cut open");
+        captions.push_back(LevelName(middle) +
+                           (levels[middle]->topology.n_octs() > 0 ? ", cut: tets and octahedra" : ", cut"));
         const Io::Attribute* attribute = ChooseAttribute(*levels[last], options.attribute);
         std::pair<double, double> range{0, 0};
         if (attribute != nullptr) {

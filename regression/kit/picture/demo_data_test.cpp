@@ -141,7 +141,8 @@ TEST(RefinementPictureTest, ShowsFourPanelsWithTheAttributeInside) {
     options.panels = {.columns = 2, .gap = 0};
     const Image image = RefinementPicture(levels, options);
     ASSERT_EQ(image.width(), 320);
-    const int foot = (image.height() - 300) / 2;
+    const int foot = static_cast<int>(std::lround(2.2 * options.panels.caption.size));  // captions of the first row
+    ASSERT_GT(image.height(), 300 + 2 * foot);  // and a colour bar in the second
     const auto count = [&](int left, int top, auto is) {
         int n = 0;
         for (int y = top; y < top + 150; ++y) {

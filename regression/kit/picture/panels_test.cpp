@@ -104,6 +104,12 @@ TEST(PanelsTest, CaptionsAndColourBarsStandUnderTheirPanel) {
     EXPECT_NEAR(image.At(120, 75).b, Lookup(ColorMap::Sequential, 0).b, 1 / 255.f);
 }
 
+TEST(PanelsTest, RowsTakeNoRoomForWhatTheyLack) {
+    const std::vector<Panel> panels = {{.image = Image(10, 10)}, {.image = Image(10, 10), .caption = "a"}};
+    const TextStyle style{.size = 10};
+    EXPECT_EQ(Arrange(panels, {.columns = 1, .gap = 0, .caption = style}).height(), 10 + 10 + 22);
+}
+
 TEST(PanelsTest, AllPanelsAreOnOneScale) {
     const Triangles large = MakeSphere(4), small = MakeSphere(4, 0.5);
     const Material black{.color = kBlack, .gloss = 0};

@@ -24,8 +24,8 @@ struct LocalMatrix {
 /// @pre level.is_full. Nothing where the rules reach beyond the ring (a complex that meets itself).
 std::optional<LocalMatrix> MakeLocalMatrix(const Level& level, const Sdc::Scheme& scheme, Index vertex);
 
-/// The limit of the vertex as weights of the ring: the row of ring[0] in high powers of the matrix. Empty if they do not
-/// settle (the vertex has no limit).
+/// The limit of the vertex as weights of the ring: the row of ring[0] in high powers of the matrix. Empty if they do
+/// not settle (the vertex has no limit).
 std::vector<double> LimitMaskOf(const LocalMatrix& matrix);
 
 }  // namespace SolidSubdiv::Far

@@ -115,7 +115,8 @@ std::string VtuArrays::ReadFrom(Source source, const std::string& place) const {
 void VtuArrays::CountAppended(std::uint64_t n_bytes, const std::string& place) const {
     constexpr std::uint64_t most_sharers = 16;
     n_appended_read_ += std::min<std::uint64_t>(n_bytes, appended_.size());
-    if (n_appended_read_ > most_sharers * appended_.size()) Fail(file_, place + ": too many arrays share the appended data");
+    if (n_appended_read_ > most_sharers * appended_.size())
+        Fail(file_, place + ": too many arrays share the appended data");
 }
 
 std::string VtuArrays::Data(const pugi::xml_node& array) const {

@@ -72,8 +72,8 @@ struct TracedScene::Impl {
         layer.parts.push_back(std::move(part));
     }
     void Commit() const {
-        // One thread builds, so that the tree, and with it which of two triangles a ray through their edge meets, is
-        // the same on every machine.
+        // One thread builds (Embree's builder runs on the same oneTBB), so that the tree, and with it which of two
+        // triangles a ray through their edge meets, is the same for any number of threads.
         const Sdc::ThreadLimit one_thread(1);
         for (const Layer* layer : {&solid, &pen}) rtcCommitScene(layer->scene);
         const RTCError error = rtcGetDeviceError(device);

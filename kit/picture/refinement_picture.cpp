@@ -121,7 +121,7 @@ const Io::Attribute* ChooseAttribute(const Io::Mesh& mesh, const std::string& na
 }
 
 Scene SliceScene(const Io::Mesh& mesh, const Plane& plane, const Io::Attribute* attribute,
-                 std::pair<double, double> range) {
+                 std::pair<double, double> range, const RenderOptions& render) {
     const SolidSlice slice =
         SliceSolid(mesh, plane, attribute == nullptr ? std::span<const double>() : attribute->values);
     const std::vector<Color> colors = slice.CapColorsByKind();
@@ -134,6 +134,9 @@ Scene SliceScene(const Io::Mesh& mesh, const Plane& plane, const Io::Attribute* 
         cap.high = range.second;
     } else {
         cap.triangle_colors = colors;
+        scene.Add(Lines{.positions = slice.positions,
+                        .edges = slice.cap_edges,
+                        .width = LineWidth(slice.cap_edges.size() / 2, render, 1.2)});
     }
     scene.Add(cap);
     return scene;
@@ -152,7 +155,8 @@ Image RefinementPicture(std::span<const Io::Mesh* const> levels, const Refinemen
     std::optional<ColorBar> bar;
 
     scenes.push_back(LatticeScene(*levels[0], *levels[last], options.render));
-    captions.push_back("control lattice and its shape");
+    captions.push_back(levels[0]->topology.n_cells() > 0 ? "control lattice and its shape"
+                                                         : "control mesh and its shape");
     if (last >= 1) {
         scenes.push_back(WireframeScene(*levels[1], options.render));
         captions.push_back(LevelName(1));
@@ -169,7 +173,7 @@ Image RefinementPicture(std::span<const Io::Mesh* const> levels, const Refinemen
             range = Range(attribute->values);
             bar = ColorBar{.low = range.first, .high = range.second, .title = attribute->name};
         }
-        scenes.push_back(SliceScene(*levels[last], plane, attribute, range));
+        scenes.push_back(SliceScene(*levels[last], plane, attribute, range, options.render));
         captions.push_back(LevelName(last) + ", sliced");
     } else if (last >= 2) {
         const std::vector<Index> skin = VisibleTriangles(*levels[last]);

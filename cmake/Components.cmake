@@ -29,8 +29,10 @@ if(NOT pugixml_FOUND OR NOT ZLIB_FOUND)
   message(FATAL_ERROR "SolidSubdiv: kit/io needs pugixml and zlib (Debian: libpugixml-dev zlib1g-dev)")
 endif()
 
-find_package(Eigen3 3.4 QUIET NO_MODULE)
-solidsubdiv_component("Eigen (spectra: analyze)" Eigen3_FOUND "kit/analysis and 'analyze' are not built")
+if(SOLIDSUBDIV_ANALYSIS)
+  find_package(Eigen3 3.4 QUIET NO_MODULE)
+  solidsubdiv_component("Eigen (spectra: analyze)" Eigen3_FOUND "kit/analysis and 'analyze' are not built")
+endif()
 
 set(SOLIDSUBDIV_HAS_PICTURES OFF)
 if(SOLIDSUBDIV_PICTURES)

@@ -9,8 +9,8 @@
 
 namespace SolidSubdiv::Osd {
 
-/// Applies rows [begin, end) of a table: row i goes to element i of `destination`. Nothing else is written, nothing but
-/// elements of the source that the rows name is read; a row without weights gives 0.
+/// Applies rows [begin, end) of a table: row i goes to element i of `destination`. Nothing else is written, and of
+/// the source nothing but its elements is read; a row without weights gives 0.
 /// @pre views are checked (see Evaluator), source and destination do not overlap
 template <class Real>
 using EvalStencilsFunction = void (*)(const Far::StencilRows<Real>& rows, const BufferView<const Real>& source,

@@ -34,36 +34,25 @@ struct VectorOf<Real, 1> {
     using Type = Real;
 };
 
-/// Reads and writes the first kUsed lanes; the others become 0.
-template <class Real, int kLanes, int kUsed>
-struct Lanes {
-    using Vector = typename VectorOf<Real, kLanes>::Type;
+template <class Real, int kLanes>
+SOLIDSUBDIV_INLINE void Load(typename VectorOf<Real, kLanes>::Type& vector, const Real* from) {
+    std::memcpy(&vector, from, sizeof vector);
+}
 
-    static SOLIDSUBDIV_INLINE void Load(Vector& vector, const Real* from) { std::memcpy(&vector, from, sizeof vector); }
-    static SOLIDSUBDIV_INLINE void Store(const Vector& vector, Real* to) { std::memcpy(to, &vector, sizeof vector); }
-};
+/// Three values and a 0, in as few steps as compilers find.
 template <class Real>
-struct Lanes<Real, 4, 3> {
+SOLIDSUBDIV_INLINE void LoadThree(typename VectorOf<Real, 4>::Type& vector, const Real* from) {
     using Vector = typename VectorOf<Real, 4>::Type;
-
-    static SOLIDSUBDIV_INLINE void Load(Vector& vector, const Real* from) {
-        if constexpr (sizeof(Real) == sizeof(float)) {  // the first two in one step: compilers don't see it themselves
-            std::int64_t two;
-            std::memcpy(&two, from, sizeof two);
-            const Pair low = {two, 0};
-            const Vector high = {from[2]};
-            vector = __builtin_shufflevector(reinterpret_cast<Vector>(low), high, 0, 1, 4, 5);
-        } else {
-            vector = Vector{from[0], from[1], from[2], 0};
-        }
+    if constexpr (sizeof(Real) == sizeof(float)) {
+        typedef std::int64_t Pair __attribute__((vector_size(16)));
+        std::int64_t two;
+        std::memcpy(&two, from, sizeof two);
+        vector = reinterpret_cast<Vector>(Pair{two, 0});
+        vector[2] = from[2];
+    } else {
+        vector = Vector{from[0], from[1], from[2], 0};
     }
-    static SOLIDSUBDIV_INLINE void Store(const Vector& vector, Real* to) {
-        for (int i = 0; i < 3; ++i) to[i] = vector[i];
-    }
-
-  private:
-    typedef std::int64_t Pair __attribute__((vector_size(16)));
-};
+}
 
 /// The arrays of a call, from its first row and first value on.
 template <class Real>
@@ -75,49 +64,77 @@ struct Arrays {
     Offset destination_stride;
 };
 
-/// Sums rows [begin, end) for the kVectors vectors that cover values [0, length) of each element.
-/// kStride: the source's stride, where it is known when this is compiled; or 0.
-template <class Real, int kLanes, int kVectors, int kUsed = kLanes, int kStride = 0>
+/// How the values of an element are spread over vectors, known when this is compiled. The last vector starts kUsed
+/// values before the element's end, and only so many of it are written.
+template <int kLanesOf, int kVectorsOf, int kUsedOf = kLanesOf, bool kIsPaddedOf = false>
+struct Layout {
+    static constexpr int kLanes = kLanesOf, kVectors = kVectorsOf, kUsed = kUsedOf;
+    static constexpr bool kIsPadded = kIsPaddedOf;  ///< what follows the used values may be read
+};
+
+/// Sums rows [begin, end).
+template <class Real, class Layout>
 SOLIDSUBDIV_INLINE void SumRows(const Arrays<Real>& arrays, int length, Index begin, Index end) {
-    using Access = Lanes<Real, kLanes, kUsed>;
-    using Vector = typename Access::Vector;
-    constexpr int kUnrolled = kVectors == 1 ? 4 : 1;
+    using Vector = typename VectorOf<Real, Layout::kLanes>::Type;
     const Offset* const offsets = arrays.rows.offsets.data();
-    const Index* index = arrays.rows.indices.data() + offsets[begin];
-    const Real* weight = arrays.rows.weights.data() + offsets[begin];
-    const Offset stride = kStride > 0 ? kStride : arrays.source_stride;
-    const int last = length - kUsed;  // where the last vector starts
+    const Index* const indices = arrays.rows.indices.data();
+    const Real* const weights = arrays.rows.weights.data();
+    const int last = length - Layout::kUsed;
+    const auto place = [last](int i) __attribute__((always_inline)) {
+        return i < Layout::kVectors - 1 ? i * Layout::kLanes : last;
+    };
 
+    Offset k = offsets[begin];
     for (Index row = begin; row < end; ++row) {
-        __builtin_prefetch(reinterpret_cast<const char*>(index) + kPrefetchBytes);
-        __builtin_prefetch(reinterpret_cast<const char*>(weight) + kPrefetchBytes);
-        Vector sums[kVectors];
-        for (int i = 0; i < kVectors; ++i) sums[i] = Vector{};
-        const auto add = [&](const Real* element, Real w) __attribute__((always_inline)) {
-            for (int i = 0; i < kVectors; ++i) {
+        __builtin_prefetch(reinterpret_cast<const char*>(indices + k) + kPrefetchBytes);
+        __builtin_prefetch(reinterpret_cast<const char*>(weights + k) + kPrefetchBytes);
+        Vector sums[Layout::kVectors];
+        for (int i = 0; i < Layout::kVectors; ++i) sums[i] = Vector{};
+        for (const Offset row_end = offsets[row + 1]; k < row_end; ++k) {
+            const Real* const element = arrays.source + indices[k] * arrays.source_stride;
+            for (int i = 0; i < Layout::kVectors; ++i) {
                 Vector values;
-                Access::Load(values, element + (i < kVectors - 1 ? i * kLanes : last));
-                sums[i] += values * w;
+                if constexpr (Layout::kUsed == 3 && !Layout::kIsPadded) {
+                    LoadThree<Real>(values, element);
+                } else {
+                    Load<Real, Layout::kLanes>(values, element + place(i));
+                }
+                sums[i] += values * weights[k];
             }
-        };
-        Offset n = offsets[row + 1] - offsets[row];
-        for (; n >= kUnrolled; n -= kUnrolled, index += kUnrolled, weight += kUnrolled) {
-            for (int j = 0; j < kUnrolled; ++j) add(arrays.source + index[j] * stride, weight[j]);
         }
-        for (; n > 0; --n, ++index, ++weight) add(arrays.source + *index * stride, *weight);
-
         Real* const element = arrays.destination + row * arrays.destination_stride;
-        for (int i = 0; i < kVectors; ++i) {
+        for (int i = 0; i < Layout::kVectors; ++i) {
             const Vector sum = sums[i];
-            Access::Store(sum, element + (i < kVectors - 1 ? i * kLanes : last));
+            if constexpr (Layout::kUsed == 3) {
+                for (int c = 0; c < 3; ++c) element[c] = sum[c];
+            } else {
+                std::memcpy(element + place(i), &sum, sizeof sum);
+            }
         }
     }
 }
 
-template <class Real>
-SOLIDSUBDIV_INLINE void EvalRows(const Far::StencilRows<Real>& rows, const BufferView<const Real>& source,
-                                 const BufferView<Real>& destination, Index begin, Index end) {
-    const int length = source.descriptor.length;
+/// What every processor of the architecture can do.
+struct Baseline {
+    template <class Real, class Layout>
+    static void Sum(const Arrays<Real>& arrays, int length, Index begin, Index end) {
+        SumRows<Real, Layout>(arrays, length, begin, end);
+    }
+};
+
+#if SOLIDSUBDIV_HAS_AVX2
+struct Avx2 {
+    template <class Real, class Layout>
+    __attribute__((target("avx2"))) static void Sum(const Arrays<Real>& arrays, int length, Index begin, Index end) {
+        SumRows<Real, Layout>(arrays, length, begin, end);
+    }
+};
+#endif
+
+template <class Instructions, class Real>
+void EvalRows(const Far::StencilRows<Real>& rows, const BufferView<const Real>& source,
+              const BufferView<Real>& destination, Index begin, Index end) {
+    const int length = destination.descriptor.length;
     constexpr int kLongest = 16;  // values summed in one pass over a row
     for (int first = 0; first < length; first += kLongest) {
         // The last pass of several overlaps the one before, as vectors do.
@@ -126,46 +143,37 @@ SOLIDSUBDIV_INLINE void EvalRows(const Far::StencilRows<Real>& rows, const Buffe
         const Arrays<Real> arrays{rows, source.Element(0) + at, source.descriptor.stride, destination.Element(0) + at,
                                   destination.descriptor.stride};
         if (n == 1) {
-            SumRows<Real, 1, 1>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<1, 1>>(arrays, n, begin, end);
         } else if (n == 2) {
-            SumRows<Real, 2, 1>(arrays, n, begin, end);
-        } else if (n == 3 && source.descriptor.stride == 3) {
-            SumRows<Real, 4, 1, 3, 3>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<2, 1>>(arrays, n, begin, end);
+        } else if (n == 3 && source.descriptor.length == 4) {
+            Instructions::template Sum<Real, Layout<4, 1, 3, true>>(arrays, n, begin, end);
         } else if (n == 3) {
-            SumRows<Real, 4, 1, 3>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<4, 1, 3>>(arrays, n, begin, end);
         } else if (n == 4) {
-            SumRows<Real, 4, 1>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<4, 1>>(arrays, n, begin, end);
         } else if (n <= 8) {
-            SumRows<Real, 4, 2>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<4, 2>>(arrays, n, begin, end);
         } else if (n <= 12) {
-            SumRows<Real, 4, 3>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<4, 3>>(arrays, n, begin, end);
         } else {
-            SumRows<Real, 4, 4>(arrays, n, begin, end);
+            Instructions::template Sum<Real, Layout<4, 4>>(arrays, n, begin, end);
         }
     }
 }
-
-#if SOLIDSUBDIV_HAS_AVX2
-template <class Real>
-__attribute__((target("avx2"))) void EvalRowsAvx2(const Far::StencilRows<Real>& rows,
-                                                  const BufferView<const Real>& source,
-                                                  const BufferView<Real>& destination, Index begin, Index end) {
-    EvalRows<Real>(rows, source, destination, begin, end);
-}
-#endif
 
 }  // namespace
 
 template <class Real>
 void EvalRowsBaseline(const Far::StencilRows<Real>& rows, const BufferView<const Real>& source,
                       const BufferView<Real>& destination, Index begin, Index end) {
-    EvalRows<Real>(rows, source, destination, begin, end);
+    EvalRows<Baseline>(rows, source, destination, begin, end);
 }
 
 template <class Real>
 EvalRowsFunction<Real> BestEvalRows() {
 #if SOLIDSUBDIV_HAS_AVX2
-    if (__builtin_cpu_supports("avx2")) return &EvalRowsAvx2<Real>;
+    if (__builtin_cpu_supports("avx2")) return &EvalRows<Avx2, Real>;
 #endif
     return &EvalRowsBaseline<Real>;
 }

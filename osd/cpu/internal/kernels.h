@@ -10,7 +10,8 @@
 
 namespace SolidSubdiv::Osd::Internal {
 
-/// Applies rows [begin, end).
+/// Applies rows [begin, end). Lengths are equal; or the destination's is 3 and the source's 4, of which the last is not
+/// used: elements that lie so are summed faster.
 template <class Real>
 using EvalRowsFunction = void (*)(const Far::StencilRows<Real>& rows, const BufferView<const Real>& source,
                                   const BufferView<Real>& destination, Index begin, Index end);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asks Linux and glibc.
+#include "perf/machine.h"
+
+#include <malloc.h>
+#include <sched.h>
+#include <sys/utsname.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include <solidsubdiv/sdc/parallel.h>
+
+namespace SolidSubdiv::Perf {
+
+namespace {
+
+/// The processors that the process may use, asked before any thread is pinned.
+const std::vector<int>& Processors() {
+    static const std::vector<int> processors = [] {
+        cpu_set_t set;
+        std::vector<int> found;
+        sched_getaffinity(0, sizeof set, &set);
+        for (int i = 0; i < CPU_SETSIZE; ++i) {
+            if (CPU_ISSET(i, &set)) found.push_back(i);
+        }
+        return found;
+    }();
+    return processors;
+}
+
+}  // namespace
+
+void PinThisThread(int i) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET(Processors()[static_cast<std::size_t>(i) % Processors().size()], &set);
+    sched_setaffinity(0, sizeof set, &set);
+}
+
+int ProcessorCount() { return static_cast<int>(Processors().size()); }
+
+struct PinnedThreads::Observer : tbb::task_scheduler_observer {
+    Observer() { observe(true); }
+    ~Observer() override { observe(false); }
+    void on_scheduler_entry(bool) override { PinThisThread(tbb::this_task_arena::current_thread_index()); }
+};
+
+PinnedThreads::PinnedThreads() {
+    Processors();
+    // oneTBB reads how many threads it may have from the first thread's set of processors: before it shrinks.
+    tbb::this_task_arena::max_concurrency();
+    observer_ = std::make_unique<Observer>();
+    PinThisThread(0);
+}
+PinnedThreads::~PinnedThreads() = default;
+
+MemoryCopy::MemoryCopy() : from_(std::size_t{256} << 20, 'x'), to_(from_.size(), 'y') {}
+
+void MemoryCopy::Run() {
+    Sdc::ParallelFor(static_cast<Offset>(from_.size()), 4 << 20, [&](Offset begin, Offset end) {
+        std::memcpy(to_.data() + begin, from_.data() + begin, static_cast<std::size_t>(end - begin));
+    });
+}
+
+double MemoryCopy::Bytes() const { return 2.0 * static_cast<double>(from_.size()); }
+
+double LiveBytes() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+MachineInfo DescribeMachine() {
+    MachineInfo info;
+    std::ifstream cpu("/proc/cpuinfo");
+    for (std::string line; std::getline(cpu, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) info.processor = line.substr(colon + 2);
+        if (line.starts_with("cpu family") && colon != std::string::npos)
+            info.processor += ", family " + line.substr(colon + 2);
+        if (line.starts_with("model\t") && colon != std::string::npos)
+            info.processor += " model " + line.substr(colon + 2);
+        if (line.empty()) break;
+    }
+    utsname name{};
+    uname(&name);
+    info.system = std::string(name.sysname) + " " + name.release;
+    info.compiler = SOLIDSUBDIV_COMPILER;
+    info.n_processors = ProcessorCount();
+    info.memory_bytes = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    std::ifstream("/proc/loadavg") >> info.load;
+    return info;
+}
+
+}  // namespace SolidSubdiv::Perf

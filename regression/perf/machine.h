@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The machine that runs the benchmarks: its processors, its memory's speed, the bytes that the process holds.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <solidsubdiv/sdc/types.h>
+
+namespace SolidSubdiv::Perf {
+
+/// While it lives, thread i of oneTBB stays on the i-th processor that the process may use, and so does the caller.
+class PinnedThreads {
+  public:
+    PinnedThreads();
+    ~PinnedThreads();
+
+  private:
+    struct Observer;
+    std::unique_ptr<Observer> observer_;
+};
+
+/// Keeps the calling thread on the i-th processor (modulo their number) that the process could use when it started.
+void PinThisThread(int i);
+
+/// Processors that the process may use.
+int ProcessorCount();
+
+/// Copies an array much larger than the caches into another.
+class MemoryCopy {
+  public:
+    MemoryCopy();
+    void Run();
+    /// Read and written in a run.
+    double Bytes() const;
+
+  private:
+    Array<char> from_, to_;
+};
+
+/// Bytes that the process has allocated and not freed.
+double LiveBytes();
+
+struct MachineInfo {
+    std::string processor, system, compiler;
+    int n_processors = 0;
+    double memory_bytes = 0;
+    double load = 0;  ///< how many tasks ran on the machine lately, this one included
+};
+MachineInfo DescribeMachine();
+
+}  // namespace SolidSubdiv::Perf

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only source that includes OpenSubdiv.
+#include "perf/open_subdiv.h"
+
+#if SOLIDSUBDIV_HAS_OPENSUBDIV
+
+#include <opensubdiv/far/primvarRefiner.h>
+#include <opensubdiv/far/stencilTableFactory.h>
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/osd/cpuEvaluator.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace SolidSubdiv::Perf {
+
+namespace {
+
+namespace Far = OpenSubdiv::Far;
+using OpenSubdiv::Sdc::Options;
+
+/// A point as PrimvarRefiner wants it.
+struct Point {
+    float x, y, z;
+    void Clear() { x = y = z = 0; }
+    void AddWithWeight(const Point& p, float w) { x += w * p.x, y += w * p.y, z += w * p.z; }
+};
+
+}  // namespace
+
+struct OpenSubdivSurface::State {
+    std::vector<int> triangles, sizes;
+    std::vector<Point> control, points[2];
+    int n_levels;
+    std::unique_ptr<Far::TopologyRefiner> refiner;
+    std::unique_ptr<const Far::StencilTable> table;
+
+    void MakeTable(bool cascaded) {
+        Far::StencilTableFactory::Options options;
+        options.generateIntermediateLevels = cascaded;
+        options.factorizeIntermediateLevels = !cascaded;
+        options.maxLevel = static_cast<unsigned>(n_levels) & 15;
+        table.reset(Far::StencilTableFactory::Create(*refiner, options));
+    }
+};
+
+OpenSubdivSurface::OpenSubdivSurface(const TestShapes::Shape& shape, int n_levels) : state_(std::make_unique<State>()) {
+    state_->n_levels = n_levels;
+    state_->triangles.assign(shape.triangles.begin(), shape.triangles.end());
+    state_->sizes.assign(shape.triangles.size() / 3, 3);
+    for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+        const auto* p = &shape.positions[i];
+        state_->control.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+    }
+}
+OpenSubdivSurface::~OpenSubdivSurface() = default;
+
+void OpenSubdivSurface::Create() {
+    Far::TopologyDescriptor descriptor;
+    descriptor.numVertices = static_cast<int>(state_->control.size());
+    descriptor.numFaces = static_cast<int>(state_->sizes.size());
+    descriptor.numVertsPerFace = state_->sizes.data();
+    descriptor.vertIndicesPerFace = state_->triangles.data();
+    Options options;
+    options.SetVtxBoundaryInterpolation(Options::VTX_BOUNDARY_EDGE_ONLY);
+    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
+    state_->refiner.reset(Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));
+    if (!state_->refiner) throw std::runtime_error("OpenSubdiv refuses the mesh");
+}
+
+void OpenSubdivSurface::Refine(bool full) {
+    Far::TopologyRefiner::UniformOptions options(state_->n_levels);
+    options.fullTopologyInLastLevel = full;
+    state_->refiner->RefineUniform(options);
+}
+
+void OpenSubdivSurface::MakeCascaded() { state_->MakeTable(true); }
+void OpenSubdivSurface::MakeComposite() { state_->MakeTable(false); }
+
+void OpenSubdivSurface::Interpolate() {
+    const Far::PrimvarRefiner primvars(*state_->refiner);
+    const Point* from = state_->control.data();
+    for (int l = 1; l <= state_->n_levels; ++l) {
+        std::vector<Point>& to = state_->points[l % 2];
+        to.resize(static_cast<std::size_t>(state_->refiner->GetLevel(l).GetNumVertices()));
+        Point* const begin = to.data();
+        primvars.Interpolate(l, from, begin);
+        from = begin;
+    }
+}
+
+void OpenSubdivSurface::Clear() {
+    state_->refiner->Unrefine();
+    state_->table.reset();
+}
+
+void OpenSubdivSurface::TakeTable(OpenSubdivSurface& other) { state_->table = std::move(other.state_->table); }
+
+std::string OpenSubdivSurface::Describe() {
+    std::string text = "Weights in OpenSubdiv's tables:";
+    for (const bool cascaded : {true, false}) {
+        state_->MakeTable(cascaded);
+        text += (cascaded ? " " : ", composite ") + std::to_string(state_->table->GetControlIndices().size()) +
+                (cascaded ? " cascaded in " : " in ") + std::to_string(state_->table->GetNumStencils()) + " rows";
+        state_->table.reset();
+    }
+    return text + ".";
+}
+
+void OpenSubdivSurface::RequireSame(const std::vector<float>& points) const {
+    const std::vector<Point>& mine = state_->points[state_->n_levels % 2];
+    if (mine.size() * 3 != points.size()) throw std::runtime_error("OpenSubdiv has another number of points than we");
+    double sums[3] = {}, magnitude = 0;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        const float p[3] = {mine[i].x, mine[i].y, mine[i].z};
+        for (std::size_t c = 0; c < 3; ++c) {
+            sums[c] += static_cast<double>(p[c]) - static_cast<double>(points[3 * i + c]);
+            magnitude += std::abs(static_cast<double>(p[c]));
+        }
+    }
+    // Each number is a float after three levels of sums: 1e-6 of the numbers' size holds them all.
+    for (const double sum : sums) {
+        if (!(std::abs(sum) <= 1e-6 * magnitude)) throw std::runtime_error("OpenSubdiv has other points than we");
+    }
+}
+
+void EvaluateByOpenSubdiv(const OpenSubdivRows& rows, const float* source, float* destination, int width) {
+    const OpenSubdiv::Osd::BufferDescriptor packed(0, width, width);
+    OpenSubdiv::Osd::CpuEvaluator::EvalStencils(source, packed, destination, packed, rows.sizes.data(),
+                                                rows.offsets.data(), rows.indices, rows.weights, 0,
+                                                static_cast<int>(rows.sizes.size()));
+}
+
+}  // namespace SolidSubdiv::Perf
+
+#endif

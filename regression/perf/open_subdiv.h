@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// OpenSubdiv at its fastest documented use, behind plain types: a Loop surface refined, its tables, its evaluator.
+#pragma once
+
+#if SOLIDSUBDIV_HAS_OPENSUBDIV
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "test_shapes.h"
+
+namespace SolidSubdiv::Perf {
+
+class OpenSubdivSurface {
+  public:
+    OpenSubdivSurface(const TestShapes::Shape& shape, int n_levels);
+    ~OpenSubdivSurface();
+
+    void Create();
+    void Refine(bool full_topology_in_last_level);
+    /// Rows of every level over the one before.
+    void MakeCascaded();
+    /// Rows of the last level over the control vertices.
+    void MakeComposite();
+    /// Refines positions level by level.
+    void Interpolate();
+    /// Frees the table and all levels but the first.
+    void Clear();
+    /// Holds another's table from now on.
+    void TakeTable(OpenSubdivSurface& other);
+
+    /// What its tables hold, for the report.
+    std::string Describe();
+    /// @throws std::runtime_error if the sum of the interpolated points is not that of `points`
+    void RequireSame(const std::vector<float>& points) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Compressed rows as OpenSubdiv's evaluator takes them.
+struct OpenSubdivRows {
+    std::vector<int> sizes, offsets;
+    const int* indices;
+    const float* weights;
+};
+
+/// Osd::CpuEvaluator on packed rows of `width`.
+void EvaluateByOpenSubdiv(const OpenSubdivRows& rows, const float* source, float* destination, int width);
+
+}  // namespace SolidSubdiv::Perf
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A race: candidates that take turns in one process, so that what slows the machine down slows all of them.
+//
+// Every round runs every candidate once, in an order that changes from round to round. A candidate is compared with its
+// peer round by round; what is reported is the median of these ratios. Each race also copies memory, on as many threads
+// as its candidates have, so that bytes a second can be told as a share of what the machine does in the same minute.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace SolidSubdiv::Perf {
+
+enum class Clock {
+    Wall,
+    Processor  ///< time that this process computed: on a busy machine; of two threads it is the sum
+};
+
+struct Candidate {
+    std::string name;
+    int n_threads = 1;
+    std::function<void()> run{};
+    double work = 0;                   ///< units done in a run
+    std::string unit{};                ///< of work: "cells"
+    std::vector<std::string> peers{};  ///< names of candidates to compare with
+    double moved_bytes = 0;            ///< that a run must at least read and write; 0: not counted
+    double kept_bytes = 0;             ///< of memory that the result takes; 0: not counted
+    std::function<void()> clear{};     ///< frees the result, after the clock has stopped
+};
+
+struct Result {
+    Candidate candidate;
+    std::vector<double> seconds{};  ///< one a round
+    double median_seconds = 0;
+    std::vector<double> speed_ratios{};  ///< of each peer: median of our work a second over its; above 1 we are faster
+    double bandwidth_share = 0;          ///< median of (bytes moved a second) over (bytes copied a second)
+};
+
+class Race {
+  public:
+    explicit Race(std::string name) : name_(std::move(name)) {}
+
+    void Add(Candidate candidate);
+    /// Runs every candidate once without a clock (caches, lazy set-up), then `rounds` times with one.
+    void Run(int rounds, Clock clock);
+
+    const std::string& name() const { return name_; }
+    const std::vector<Result>& results() const { return results_; }
+    /// What the race is about, for the report: sizes, settings.
+    std::vector<std::string> notes;
+
+  private:
+    const Result* Find(const std::string& name) const;
+
+    std::string name_;
+    std::vector<Result> results_;
+};
+
+}  // namespace SolidSubdiv::Perf

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The race of surfaces: 50,000 triangles by three levels of Loop's scheme, beside OpenSubdiv.
+#include <optional>
+
+#include <solidsubdiv/far/primvar_refiner.h>
+#include <solidsubdiv/far/stencil_table.h>
+
+#include "perf/machine.h"
+#include "perf/meshes.h"
+#include "perf/open_subdiv.h"
+#include "perf/races.h"
+
+namespace SolidSubdiv::Perf {
+
+namespace {
+
+constexpr int kLevels = 3;
+using FloatTable = Far::StencilTableReal<float>;
+
+/// Ours, as one object that races can fill and empty.
+struct Ours {
+    std::optional<Far::TopologyRefiner> refiner;
+    std::optional<FloatTable> table;
+    std::vector<float> values[2];
+
+    void Create(const TestShapes::Shape& s) {
+        refiner.emplace(Far::TopologyRefiner::Create(Describe(s), Sdc::Split::TetOct));
+    }
+    void Refine(bool full) { refiner->RefineUniform({.max_level = kLevels, .full_topology_in_last_level = full}); }
+    /// Refines positions level by level; the last are left in values[kLevels % 2].
+    void Interpolate(const TestShapes::Shape& s) {
+        const Far::PrimvarRefiner primvars(*refiner, Sdc::Loop{});
+        values[0].assign(s.positions.begin(), s.positions.end());
+        for (int l = 1; l <= kLevels; ++l) {
+            std::vector<float>& fine = values[l % 2];
+            fine.resize(3 * static_cast<std::size_t>(refiner->level(l).n_vertices));
+            primvars.Interpolate<float>(l, values[(l + 1) % 2], fine, 3);
+        }
+    }
+};
+
+double BytesOf(const std::function<void()>& make) {
+    const double before = LiveBytes();
+    make();
+    return LiveBytes() - before;
+}
+
+}  // namespace
+
+Race RaceTriangles(const RaceSettings& settings) {
+    Race race("triangles");
+    const TestShapes::Shape shape = Torus(settings.is_quick);
+    Ours ours, ready;
+    ready.Create(shape);
+    ready.Refine(false);
+    const double faces = ready.refiner->level(kLevels).n_boundary_faces;
+    race.notes = {"Torus of " + std::to_string(shape.triangles.size() / 3) +
+                  " triangles, three in four vertices irregular; Loop, " + std::to_string(kLevels) +
+                  " levels: " + std::to_string(static_cast<Index>(faces)) + " triangles and " +
+                  std::to_string(ready.refiner->level(kLevels).n_vertices) +
+                  " vertices in the last. Faces a second counts those of the last level alone."};
+
+    const auto add = [&](std::string name, int n_threads, std::vector<std::string> peers, std::function<void()> run,
+                         std::function<void()> clear, double bytes) {
+        race.Add({.name = std::move(name),
+                  .n_threads = n_threads,
+                  .run = std::move(run),
+                  .work = faces,
+                  .unit = "faces",
+                  .peers = std::move(peers),
+                  .kept_bytes = bytes,
+                  .clear = std::move(clear)});
+    };
+    const auto clear = [&] {
+        ours.refiner->RefineUniform({.max_level = 0});
+        ours.table.reset();
+    };
+
+#if SOLIDSUBDIV_HAS_OPENSUBDIV
+    const char* const osd = "OpenSubdiv: ";
+    OpenSubdivSurface theirs(shape, kLevels), theirs_ready(shape, kLevels);
+    theirs.Create();
+    theirs_ready.Create();
+    theirs_ready.Refine(false);
+    const auto clear_theirs = [&] { theirs.Clear(); };
+    const auto add_theirs = [&](const char* what, std::function<void()> run, bool counts_bytes = true) {
+        const double bytes = counts_bytes ? BytesOf(run) : 0;
+        clear_theirs();
+        add(std::string(osd) + what, 1, {}, std::move(run), clear_theirs, bytes);
+    };
+    add_theirs(
+        "create", [&] { theirs.Create(); }, false);
+    add_theirs("refine, minimal", [&] { theirs.Refine(false); });
+    add_theirs("refine, full topology", [&] { theirs.Refine(true); });
+    add_theirs("stencils, cascaded", [&] {
+        theirs_ready.MakeCascaded();
+        theirs.TakeTable(theirs_ready);
+    });
+    add_theirs("stencils, composite", [&] {
+        theirs_ready.MakeComposite();
+        theirs.TakeTable(theirs_ready);
+    });
+    add_theirs(
+        "create + refine + interpolate",
+        [&] {
+            theirs.Create();
+            theirs.Refine(false);
+            theirs.Interpolate();
+        },
+        false);
+    race.notes.push_back(theirs_ready.Describe());
+#else
+    const char* const osd = "";
+    race.notes.push_back("OpenSubdiv was not there.");
+#endif
+
+    const FloatTable cascaded = FloatTable::Create(*ready.refiner, Sdc::Loop{});
+    Offset n_weights = 0, n_rows = 0;
+    for (int l = 1; l <= kLevels; ++l) {
+        n_weights += cascaded.level(l).n_weights();
+        n_rows += cascaded.level(l).n_rows();
+    }
+    race.notes.push_back("Weights in ours: " + std::to_string(n_weights) + " cascaded in " + std::to_string(n_rows) +
+                         " rows.");
+    ours.Create(shape);
+    for (int n_threads : {1, 2}) {
+        const auto add_ours = [&](const std::string& what, std::function<void()> run, bool counts_bytes = true) {
+            const double bytes = counts_bytes ? BytesOf(run) : 0;
+            clear();
+            std::vector<std::string> peers;
+            if (n_threads > 1) peers.push_back("ours: " + what + ", 1T");
+            if (*osd) peers.push_back(osd + what);
+            add("ours: " + what + ", " + std::to_string(n_threads) + "T", n_threads, peers, std::move(run), clear,
+                bytes);
+        };
+        add_ours(
+            "create", [&] { ours.Create(shape); }, false);
+        add_ours("refine, minimal", [&] { ours.Refine(false); });
+        add_ours("refine, full topology", [&] { ours.Refine(true); });
+        add_ours("stencils, cascaded", [&] { ours.table.emplace(FloatTable::Create(*ready.refiner, Sdc::Loop{})); });
+        add_ours("stencils, composite", [&] {
+            ours.table.emplace(
+                FloatTable::CreateComposite(*ready.refiner, Sdc::Loop{}, {{.level = kLevels, .vertices = {}}}));
+        });
+        add_ours(
+            "create + refine + interpolate",
+            [&] {
+                ours.Create(shape);
+                ours.Refine(false);
+                ours.Interpolate(shape);
+            },
+            false);
+    }
+
+#if SOLIDSUBDIV_HAS_OPENSUBDIV
+    // Both must do the same work: make the same points (their sum; numbering differs).
+    theirs.Refine(false);
+    theirs.Interpolate();
+    ours.Refine(false);
+    ours.Interpolate(shape);
+    theirs.RequireSame(ours.values[kLevels % 2]);
+    clear();
+    clear_theirs();
+#endif
+    race.Run(settings.Rounds(7), settings.clock);
+    return race;
+}
+
+}  // namespace SolidSubdiv::Perf

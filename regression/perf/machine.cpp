@@ -69,22 +69,24 @@ void MemoryCopy::Run() {
 
 double MemoryCopy::Bytes() const { return 2.0 * static_cast<double>(from_.size()); }
 
-double LiveBytes() {
-    const struct mallinfo2 info = mallinfo2();
-    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+double ResidentBytes() {
+    malloc_trim(0);
+    double total = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> total >> resident;  // pages
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 MachineInfo DescribeMachine() {
     MachineInfo info;
     std::ifstream cpu("/proc/cpuinfo");
-    for (std::string line; std::getline(cpu, line);) {
+    for (std::string line; std::getline(cpu, line) && !line.empty();) {  // of the first processor
         const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) info.processor = line.substr(colon + 2);
-        if (line.starts_with("cpu family") && colon != std::string::npos)
-            info.processor += ", family " + line.substr(colon + 2);
-        if (line.starts_with("model\t") && colon != std::string::npos)
-            info.processor += " model " + line.substr(colon + 2);
-        if (line.empty()) break;
+        if (colon == std::string::npos) continue;
+        const std::string value = line.substr(colon + 2);
+        if (line.starts_with("model name")) info.processor = value + info.processor;
+        if (line.starts_with("cpu family")) info.processor += ", family " + value;
+        if (line.starts_with("model\t")) info.processor += " model " + value;
+        if (line.starts_with("cache size")) info.processor += ", L2 " + value;
     }
     utsname name{};
     uname(&name);

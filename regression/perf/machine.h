@@ -38,8 +38,8 @@ class MemoryCopy {
     Array<char> from_, to_;
 };
 
-/// Bytes that the process has allocated and not freed.
-double LiveBytes();
+/// Bytes of memory that the process holds at the moment, what it has freed given back first.
+double ResidentBytes();
 
 struct MachineInfo {
     std::string processor, system, compiler;

@@ -5,12 +5,14 @@
 #include <time.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "perf/machine.h"
+#include "test_shapes.h"
 
 namespace SolidSubdiv::Perf {
 
@@ -64,9 +66,13 @@ void Race::Run(int rounds, Clock clock) {
     for (int n : thread_counts) {
         Add({.name = CopyName(n), .n_threads = n, .run = [&copy] { copy.Run(); }, .moved_bytes = copy.Bytes()});
     }
+    std::vector<std::size_t> order(results_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    TestShapes::Random random(1);
     for (int round = -1; round < rounds; ++round) {  // round -1 warms up
-        for (std::size_t i = 0; i < results_.size(); ++i) {
-            Result& r = results_[(i + static_cast<std::size_t>(round + 1)) % results_.size()];
+        random.Shuffle(order);
+        for (const std::size_t i : order) {
+            Result& r = results_[i];
             const double seconds = Seconds(r.candidate, clock);
             if (round >= 0) r.seconds.push_back(seconds);
         }

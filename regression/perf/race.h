@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A race: candidates that take turns in one process, so that what slows the machine down slows all of them.
 //
-// Every round runs every candidate once, in an order that changes from round to round. A candidate is compared with its
-// peer round by round; what is reported is the median of these ratios. Each race also copies memory, on as many threads
-// as its candidates have, so that bytes a second can be told as a share of what the machine does in the same minute.
+// Every round runs every candidate once, in an order drawn anew, so that none always follows the same. A candidate is
+// compared with its peer round by round; what is reported is the median of these ratios. Each race also copies memory,
+// on as many threads as its candidates have, so that bytes a second can be told as a share of what the machine does in
+// the same minute.
 #pragma once
 
 #include <functional>

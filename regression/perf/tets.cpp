@@ -102,11 +102,11 @@ Race RaceTets(const RaceSettings& settings) {
     const Sdc::Scheme scheme = Sdc::BoxSpline{};
 
     // Sizes and memory, from runs without a clock.
-    const double bytes_before = LiveBytes();
+    const double bytes_before = ResidentBytes();
     auto refined = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
-    const double bytes_of_level_0 = LiveBytes() - bytes_before;
+    const double bytes_of_level_0 = ResidentBytes() - bytes_before;
     refined.RefineUniform({.max_level = kLevels});
-    const double bytes_of_levels = LiveBytes() - bytes_before;
+    const double bytes_of_levels = ResidentBytes() - bytes_before;
     const auto table_float = Far::StencilTableReal<float>::Create(refined, scheme);
     const auto table_double = Far::StencilTableReal<double>::Create(refined, scheme);
     const auto cells = static_cast<double>(refined.level(kLevels).n_cells());

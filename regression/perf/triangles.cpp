@@ -40,9 +40,9 @@ struct Ours {
 };
 
 double BytesOf(const std::function<void()>& make) {
-    const double before = LiveBytes();
+    const double before = ResidentBytes();
     make();
-    return LiveBytes() - before;
+    return ResidentBytes() - before;
 }
 
 }  // namespace

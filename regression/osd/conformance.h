@@ -197,7 +197,7 @@ std::string EmptyAndLongRows(Eval<Real> eval) {
 template <class Real>
 std::string SameBitsForAnyNumberOfThreads(Eval<Real> eval) {
     for (int length : {1, 3, 4, 7}) {
-        const auto rows = RandomRows<Real>(length == 3 ? 1000 : 5000, 30000, 15, false);
+        const auto rows = RandomRows<Real>(length == 3 ? 500 : 2500, 10000, 15, false);
         std::vector<Real> first;
         for (int n_threads : {1, 2, 5}) {
             const Sdc::ThreadLimit limit(n_threads);

@@ -147,7 +147,7 @@ Race RaceEvaluation(const RaceSettings& settings) {
         add("ours, width 3" + t, n_threads, peers[n_threads - 1], run_ours, moved);
         add("ours, width 4" + t, n_threads, peers[n_threads - 1], run_ours_wide, moved_wide);
     }
-    race.Run(settings.Rounds(25), settings.clock);
+    race.Run(settings.Rounds(25));
     return race;
 }
 

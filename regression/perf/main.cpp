@@ -14,12 +14,9 @@ namespace {
 using namespace SolidSubdiv::Perf;
 
 constexpr const char* kUsage =
-    "usage: solidsubdiv-bench [--json FILE] [--quick] [--only NAME] [--cpu-time]\n"
+    "usage: solidsubdiv-bench [--json FILE] [--quick] [--only NAME]\n"
     "  --json FILE   writes all figures as JSON too\n"
     "  --quick       small sizes and few rounds: to see that it works, not to quote\n"
-    "  --cpu-time    measures the time that the program computed, not what passed: for machines that do other things "
-    "too;\n"
-    "                figures of two threads then mean little\n"
     "  --only NAME   one race: ";
 
 int Usage(std::FILE* to) {
@@ -57,8 +54,6 @@ int main(int argc, char** argv) {
         if (argument == "--help") return Usage(stdout);
         if (argument == "--quick") {
             settings.is_quick = true;
-        } else if (argument == "--cpu-time") {
-            settings.clock = Clock::Processor;
         } else if ((argument == "--only" || argument == "--json") && i + 1 < argc) {
             (argument == "--only" ? only : json) = argv[++i];
         } else {

@@ -24,19 +24,22 @@ double Median(std::vector<double> v) {
     return v.size() % 2 ? v[middle] : (v[middle - 1] + v[middle]) / 2;
 }
 
-double Now(Clock clock) {
+double Now(clockid_t clock) {
     timespec t{};
-    clock_gettime(clock == Clock::Wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &t);
+    clock_gettime(clock, &t);
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-double Seconds(const Candidate& candidate, Clock clock) {
+void RunOnce(Result& result, bool is_timed) {
+    const Candidate& candidate = result.candidate;
     const Sdc::ThreadLimit limit(candidate.n_threads);
-    const double start = Now(clock);
+    const double passed = Now(CLOCK_MONOTONIC), ran = Now(CLOCK_THREAD_CPUTIME_ID);
     candidate.run();
-    const double seconds = Now(clock) - start;
+    if (is_timed) {
+        result.ran.push_back(Now(CLOCK_THREAD_CPUTIME_ID) - ran);
+        result.passed.push_back(Now(CLOCK_MONOTONIC) - passed);
+    }
     if (candidate.clear) candidate.clear();
-    return seconds;
 }
 
 std::string CopyName(int n_threads) { return "copy of memory, " + std::to_string(n_threads) + "T"; }
@@ -51,7 +54,7 @@ const Result* Race::Find(const std::string& name) const {
     return at == results_.end() ? nullptr : &*at;
 }
 
-void Race::Run(int rounds, Clock clock) {
+void Race::Run(int rounds) {
     std::set<int> thread_counts;
     for (const Result& r : results_) {
         thread_counts.insert(r.candidate.n_threads);
@@ -71,26 +74,26 @@ void Race::Run(int rounds, Clock clock) {
     TestShapes::Random random(1);
     for (int round = -1; round < rounds; ++round) {  // round -1 warms up
         random.Shuffle(order);
-        for (const std::size_t i : order) {
-            Result& r = results_[i];
-            const double seconds = Seconds(r.candidate, clock);
-            if (round >= 0) r.seconds.push_back(seconds);
-        }
+        for (const std::size_t i : order) RunOnce(results_[i], round >= 0);
     }
     for (Result& r : results_) {
-        r.median_seconds = Median(r.seconds);
+        const int n_threads = r.candidate.n_threads;
+        r.median_seconds = Median(r.Seconds(n_threads));
         for (const std::string& name : r.candidate.peers) {
             const Result& peer = *Find(name);
+            const auto& ours = r.Seconds(peer.candidate.n_threads);
+            const auto& theirs = peer.Seconds(n_threads);
             std::vector<double> ratios;
-            for (std::size_t i = 0; i < r.seconds.size(); ++i) {
-                ratios.push_back(peer.seconds[i] / r.seconds[i] * (r.candidate.work / peer.candidate.work));
+            for (std::size_t i = 0; i < ours.size(); ++i) {
+                ratios.push_back(theirs[i] / ours[i] * (r.candidate.work / peer.candidate.work));
             }
             r.speed_ratios.push_back(Median(ratios));
         }
-        const Result& copied = *Find(CopyName(r.candidate.n_threads));
+        const auto& seconds = r.Seconds(n_threads);
+        const auto& copied = Find(CopyName(n_threads))->Seconds(n_threads);
         std::vector<double> shares;
-        for (std::size_t i = 0; i < r.seconds.size(); ++i) {
-            shares.push_back(r.candidate.moved_bytes / r.seconds[i] / (copy.Bytes() / copied.seconds[i]));
+        for (std::size_t i = 0; i < seconds.size(); ++i) {
+            shares.push_back(r.candidate.moved_bytes / seconds[i] / (copy.Bytes() / copied[i]));
         }
         r.bandwidth_share = Median(shares);
         r.candidate.run = nullptr;  // and what the closures hold

@@ -13,11 +13,6 @@
 
 namespace SolidSubdiv::Perf {
 
-enum class Clock {
-    Wall,
-    Processor  ///< time that this process computed: on a busy machine; of two threads it is the sum
-};
-
 struct Candidate {
     std::string name;
     int n_threads = 1;
@@ -32,10 +27,15 @@ struct Candidate {
 
 struct Result {
     Candidate candidate;
-    std::vector<double> seconds{};  ///< one a round
-    double median_seconds = 0;
-    std::vector<double> speed_ratios{};  ///< of each peer: median of our work a second over its; above 1 we are faster
-    double bandwidth_share = 0;          ///< median of (bytes moved a second) over (bytes copied a second)
+    std::vector<double> passed{}, ran{};  ///< seconds, one a round: on the wall, in the calling thread
+    double median_seconds = 0;            ///< ran, of one thread; passed, of more
+    std::vector<double> speed_ratios{};   ///< of each peer: median of our work a second over its; above 1 we are faster
+    double bandwidth_share = 0;           ///< median of (bytes moved a second) over (bytes copied a second)
+
+    /// The seconds to compare with a candidate of n threads.
+    const std::vector<double>& Seconds(int n_threads_of_peer) const {
+        return candidate.n_threads == 1 && n_threads_of_peer == 1 ? ran : passed;
+    }
 };
 
 class Race {
@@ -44,7 +44,7 @@ class Race {
 
     void Add(Candidate candidate);
     /// Runs every candidate once without a clock (caches, lazy set-up), then `rounds` times with one.
-    void Run(int rounds, Clock clock);
+    void Run(int rounds);
 
     const std::string& name() const { return name_; }
     const std::vector<Result>& results() const { return results_; }

@@ -8,7 +8,6 @@ namespace SolidSubdiv::Perf {
 
 struct RaceSettings {
     bool is_quick = false;  ///< a tenth of the size, three rounds: to see that it works, not to quote
-    Clock clock = Clock::Wall;
     int Rounds(int n) const { return is_quick ? 3 : n; }
 };
 

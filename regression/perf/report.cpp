@@ -77,7 +77,6 @@ std::string JsonOf(const MachineInfo& m, const std::vector<Race>& races, const R
     json["machine"] = {{"processor", m.processor}, {"processors", m.n_processors}, {"memory_bytes", m.memory_bytes},
                        {"system", m.system},       {"compiler", m.compiler},       {"load_at_start", m.load}};
     json["quick"] = settings.is_quick;
-    json["clock"] = settings.clock == Clock::Wall ? "wall" : "processor";
     for (const Race& race : races) {
         nlohmann::ordered_json results;
         for (const Result& r : race.results()) {
@@ -85,7 +84,8 @@ std::string JsonOf(const MachineInfo& m, const std::vector<Race>& races, const R
             nlohmann::ordered_json row = {{"name", c.name},
                                           {"threads", c.n_threads},
                                           {"median_seconds", r.median_seconds},
-                                          {"seconds", r.seconds}};
+                                          {"passed_seconds", r.passed},
+                                          {"ran_seconds", r.ran}};
             if (c.work > 0) row.update({{"work", c.work}, {"unit", c.unit}});
             for (std::size_t i = 0; i < c.peers.size(); ++i) row["times_as_fast_as"][c.peers[i]] = r.speed_ratios[i];
             if (c.kept_bytes > 0) row["kept_bytes"] = c.kept_bytes;

@@ -171,7 +171,7 @@ Race RaceTets(const RaceSettings& settings) {
     }
     AddEvaluation(race, table_float, shape, "float");
     AddEvaluation(race, table_double, shape, "double");
-    race.Run(settings.Rounds(9), settings.clock);
+    race.Run(settings.Rounds(9));
     return race;
 }
 

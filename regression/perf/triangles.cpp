@@ -162,7 +162,7 @@ Race RaceTriangles(const RaceSettings& settings) {
     clear();
     clear_theirs();
 #endif
-    race.Run(settings.Rounds(7), settings.clock);
+    race.Run(settings.Rounds(7));
     return race;
 }
 

@@ -25,7 +25,7 @@ inline constexpr Index kNoIndex = -1;
 /// page costs more than filling a table with topology. @throws std::bad_alloc
 void* AllocateLarge(std::size_t bytes);
 void FreeLarge(void* memory);
-inline constexpr std::size_t kLargeBytes = std::size_t{8} << 20;
+inline constexpr std::size_t kLargeBytes = std::size_t{256} << 10;
 
 /// Allocator that leaves trivial elements uninitialized on resize(n).
 template <class T>

@@ -36,7 +36,10 @@ class BaseBuilder {
         MakeFaces();
         MakeEdges();
         if (!findings_.IsUsable()) return std::move(level_);
-        level_.BuildUpwardRelations();
+        level_.vertex_edges = Invert(level_.edge_vertices, 2, level_.n_vertices, false);
+        level_.vertex_octs = Invert(level_.oct_vertices, 6, level_.n_vertices, true);
+        level_.edge_faces = Invert(level_.face_edges, 3, level_.n_edges, false);
+        level_.edge_octs = Invert(level_.oct_edges, 12, level_.n_edges, true);
         MakeBoundary();
         Internal::TagEdgesAndVertices(level_);
         level_.is_full = true;

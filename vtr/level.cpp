@@ -23,11 +23,4 @@ Offset Level::Bytes() const {
     return n;
 }
 
-void Level::BuildUpwardRelations() {
-    vertex_edges = Invert(edge_vertices, 2, n_vertices, false);
-    vertex_octs = Invert(oct_vertices, 6, n_vertices, true);
-    edge_faces = Invert(face_edges, 3, n_edges, false);
-    edge_octs = Invert(oct_edges, 12, n_edges, true);
-}
-
 }  // namespace SolidSubdiv::Vtr

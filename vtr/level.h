@@ -31,16 +31,16 @@ struct Level {
     Array<Index> oct_vertices;  ///< (n_octs, 6)
     /// Faces that bound one cell (vertices counterclockwise from outside) or none (as given), ascending by face.
     Array<Index> boundary_vertices;  ///< (n_boundary_faces, 3)
-    Array<Index> boundary_faces;     ///< (n_boundary_faces): their face numbers
 
     // Full levels only: downward.
-    Array<Index> tet_edges;      ///< (n_tets, 6)
-    Array<Index> tet_faces;      ///< (n_tets, 4)
-    Array<Index> oct_edges;      ///< (n_octs, 12)
-    Array<Index> oct_faces;      ///< (n_octs, 8)
-    Array<Index> face_vertices;  ///< (n_faces, 3), ascending
-    Array<Index> face_edges;     ///< (n_faces, 3): edge k lies opposite vertex k
-    Array<Index> edge_vertices;  ///< (n_edges, 2), ascending
+    Array<Index> boundary_faces;  ///< (n_boundary_faces): their face numbers
+    Array<Index> tet_edges;       ///< (n_tets, 6)
+    Array<Index> tet_faces;       ///< (n_tets, 4)
+    Array<Index> oct_edges;       ///< (n_octs, 12)
+    Array<Index> oct_faces;       ///< (n_octs, 8)
+    Array<Index> face_vertices;   ///< (n_faces, 3), ascending
+    Array<Index> face_edges;      ///< (n_faces, 3): edge k lies opposite vertex k
+    Array<Index> edge_vertices;   ///< (n_edges, 2), ascending
     Array<Tag> vertex_tags;
     Array<Tag> edge_tags;
     Array<FaceTag> face_tags;
@@ -76,9 +76,6 @@ struct Level {
 
     /// What the arrays take, in bytes.
     Offset Bytes() const;
-
-    /// Makes the upward relations from the downward ones.
-    void BuildUpwardRelations();
 
   private:
     template <std::size_t N>

@@ -6,10 +6,12 @@
 #include <array>
 #include <cassert>
 #include <limits>
-#include <utility>
+#include <tuple>
 
 #include <solidsubdiv/sdc/cell_split.h>
 #include <solidsubdiv/sdc/parallel.h>
+#include <solidsubdiv/vtr/internal/child_numbers.h>
+#include <solidsubdiv/vtr/internal/child_relations.h>
 
 namespace SolidSubdiv::Vtr {
 
@@ -27,11 +29,13 @@ struct Corners {
     std::array<Index, 3> edges;
 
     void Sort() {
+        // Without a branch: the order is anybody's guess.
         const auto order = [&](int i, int j) {
-            if (vertices[i] > vertices[j]) {
-                std::swap(vertices[i], vertices[j]);
-                std::swap(edges[i], edges[j]);
-            }
+            const bool swap = vertices[i] > vertices[j];
+            const Index edge = edges[i];
+            std::tie(vertices[i], vertices[j]) = std::minmax({vertices[i], vertices[j]});
+            edges[i] = swap ? edges[j] : edge;
+            edges[j] = swap ? edge : edges[j];
         };
         order(0, 1);
         order(1, 2);
@@ -41,7 +45,7 @@ struct Corners {
 
 class Splitter {
   public:
-    Splitter(const Level& parent, Level& child) : parent_(parent), child_(child) {
+    Splitter(const Level& parent, Level& child) : parent_(parent), child_(child), first_(parent) {
         const Counts counts = Refine(CountsOf(parent));
         assert(counts.Largest() <= std::numeric_limits<Index>::max());
         child.n_vertices = static_cast<Index>(counts.n_vertices);
@@ -50,19 +54,13 @@ class Splitter {
         child.n_tets = static_cast<Index>(counts.n_tets);
         child.n_octs = static_cast<Index>(counts.n_octs);
         child.n_boundary_faces = static_cast<Index>(counts.n_boundary_faces);
-        edge_point_ = parent.n_vertices;
-        centre_ = edge_point_ + parent.n_edges;
-        face_edge_ = 2 * parent.n_edges;
-        oct_edge_ = face_edge_ + 3 * parent.n_faces;
-        tet_face_ = 4 * parent.n_faces;
-        oct_face_ = tet_face_ + 4 * parent.n_tets;
     }
 
-    void SplitBoundary() {
+    void SplitBoundary(bool full) {
         child_.boundary_vertices.resize(3 * static_cast<std::size_t>(child_.n_boundary_faces));
-        child_.boundary_faces.resize(child_.n_boundary_faces);
+        if (full) child_.boundary_faces.resize(child_.n_boundary_faces);
         Sdc::ParallelFor(parent_.n_boundary_faces, kGrain, [&](Offset begin, Offset end) {
-            for (Offset b = begin; b < end; ++b) SplitBoundaryFace(static_cast<Index>(b));
+            for (Offset b = begin; b < end; ++b) SplitBoundaryFace(static_cast<Index>(b), full);
         });
     }
 
@@ -116,7 +114,7 @@ class Splitter {
                 const Tag tag = TagOfFaceEdge(parent_.face_tags[f]);
                 for (int k = 0; k < 3; ++k) {
                     const Index p = EdgePoint(edges[(k + 1) % 3]), q = EdgePoint(edges[(k + 2) % 3]);
-                    SetEdge(static_cast<Index>(face_edge_ + 3 * f + k), std::min(p, q), std::max(p, q), tag);
+                    SetEdge(static_cast<Index>(first_.face_edge + 3 * f + k), std::min(p, q), std::max(p, q), tag);
                 }
             }
         });
@@ -124,8 +122,8 @@ class Splitter {
             for (Offset o = begin; o < end; ++o) {
                 const auto edges = parent_.OctEdges(static_cast<Index>(o));
                 for (int i = 0; i < Oct::kEdges; ++i) {
-                    SetEdge(static_cast<Index>(oct_edge_ + Oct::kEdges * o + i), EdgePoint(edges[i]),
-                            static_cast<Index>(centre_ + o), TagInsideCell());
+                    SetEdge(static_cast<Index>(first_.oct_edge + Oct::kEdges * o + i), EdgePoint(edges[i]),
+                            static_cast<Index>(first_.centre + o), TagInsideCell());
                 }
             }
         });
@@ -136,13 +134,13 @@ class Splitter {
         std::copy(parent_.vertex_tags.begin(), parent_.vertex_tags.end(), child_.vertex_tags.begin());
         Sdc::ParallelFor(parent_.n_edges, kGrain, [&](Offset begin, Offset end) {
             for (Offset e = begin; e < end; ++e)
-                child_.vertex_tags[edge_point_ + e] = TagOfEdgePoint(parent_.edge_tags[e]);
+                child_.vertex_tags[first_.edge_point + e] = TagOfEdgePoint(parent_.edge_tags[e]);
         });
-        std::fill(child_.vertex_tags.begin() + centre_, child_.vertex_tags.end(), TagInsideCell());
+        std::fill(child_.vertex_tags.begin() + first_.centre, child_.vertex_tags.end(), TagInsideCell());
     }
 
   private:
-    Index EdgePoint(Index edge) const { return edge_point_ + edge; }
+    Index EdgePoint(Index edge) const { return first_.edge_point + edge; }
 
     void SetEdge(Index e, Index low, Index high, Tag tag) {
         child_.edge_vertices[2 * static_cast<std::size_t>(e)] = low;
@@ -168,7 +166,7 @@ class Splitter {
         for (int k = 0; k < 3; ++k) {
             // At corner k meet the edges opposite the other two corners i and j.
             const int i = (k + 1) % 3, j = (k + 2) % 3;
-            const Index across = face_edge_ + 3 * f + k;
+            const Index across = first_.face_edge + 3 * f + k;
             const Index half_i = 2 * e[i] + (v[k] > v[j]), half_j = 2 * e[j] + (v[k] > v[i]);
             SetFace(4 * f + k, {{v[k], EdgePoint(e[i]), EdgePoint(e[j])}, {across, half_j, half_i}}, tag);
             middle.vertices[k] = EdgePoint(e[k]);
@@ -177,25 +175,25 @@ class Splitter {
         SetFace(4 * f + 3, middle, TagOfMiddleFace(tag));
     }
 
-    void SplitBoundaryFace(Index b) {
+    void SplitBoundaryFace(Index b, bool full) {
         const auto v = parent_.BoundaryVertices(b);  // outward
         const Index f = parent_.boundary_faces[b];
-        const auto sorted = parent_.FaceVertices(f);
         const auto e = parent_.FaceEdges(f);
-        std::array<Index, 3> rank, mid;  // mid[k]: the point on the edge opposite v[k]
+        std::array<Index, 3> rank, mid;  // of v[k] in ascending order; the point on the edge opposite v[k]
         for (int k = 0; k < 3; ++k) {
-            rank[k] = static_cast<Index>(std::find(sorted.begin(), sorted.end(), v[k]) - sorted.begin());
+            rank[k] = (v[k] > v[(k + 1) % 3]) + (v[k] > v[(k + 2) % 3]);
             mid[k] = EdgePoint(e[rank[k]]);
         }
         const auto set = [&](Index r, Index p, Index q, Index s) {
-            const std::size_t child = 4 * static_cast<std::size_t>(b) + r;
-            child_.boundary_faces[child] = 4 * f + r;
-            child_.boundary_vertices[3 * child] = p;
-            child_.boundary_vertices[3 * child + 1] = q;
-            child_.boundary_vertices[3 * child + 2] = s;
+            Index* const corners = child_.boundary_vertices.data() + 3 * (4 * static_cast<std::size_t>(b) + r);
+            corners[0] = p;
+            corners[1] = q;
+            corners[2] = s;
         };
         for (int k = 0; k < 3; ++k) set(rank[k], v[k], mid[(k + 2) % 3], mid[(k + 1) % 3]);
         set(3, mid[0], mid[1], mid[2]);
+        if (!full) return;
+        for (Index r = 0; r < 4; ++r) child_.boundary_faces[4 * static_cast<std::size_t>(b) + r] = 4 * f + r;
     }
 
     template <class Cell>
@@ -226,7 +224,7 @@ class Splitter {
         const auto e = Edges<Cell>(c);
         for (int i = 0; i < Cell::kVertices; ++i) points[i] = v[i];
         for (int i = 0; i < Cell::kEdges; ++i) points[Cell::kVertices + i] = EdgePoint(e[i]);
-        if constexpr (CellSplit<Cell>::kIsOct) points[CellSplit<Cell>::kCentre] = centre_ + c;
+        if constexpr (CellSplit<Cell>::kIsOct) points[CellSplit<Cell>::kCentre] = first_.centre + c;
     }
 
     /// Numbers of the child edges of cell c, in the order of CellSplit::edge_points.
@@ -242,11 +240,11 @@ class Splitter {
         }
         for (int i = 0; i < Cell::kFaces; ++i) {
             for (int k = 0; k < 3; ++k) {
-                child_edges[2 * Cell::kEdges + 3 * i + k] = face_edge_ + 3 * f[i] + CornerRank<Cell>(v, i, k);
+                child_edges[2 * Cell::kEdges + 3 * i + k] = first_.face_edge + 3 * f[i] + CornerRank<Cell>(v, i, k);
             }
         }
         for (int i = 0; i < CellSplit<Cell>::kInnerEdges; ++i) {
-            child_edges[CellSplit<Cell>::kFirstInnerEdge + i] = oct_edge_ + Oct::kEdges * c + i;
+            child_edges[CellSplit<Cell>::kFirstInnerEdge + i] = first_.oct_edge + Oct::kEdges * c + i;
         }
     }
 
@@ -260,8 +258,8 @@ class Splitter {
 
     template <class Cell>
     Index InnerFace(Index c) const {
-        return CellSplit<Cell>::kIsOct ? oct_face_ + CellSplit<Oct>::kInnerFaces * c
-                                       : tet_face_ + CellSplit<Tet>::kInnerFaces * c;
+        return CellSplit<Cell>::kIsOct ? first_.oct_face + CellSplit<Oct>::kInnerFaces * c
+                                       : first_.tet_face + CellSplit<Tet>::kInnerFaces * c;
     }
 
     template <class Cell>
@@ -324,9 +322,7 @@ class Splitter {
 
     const Level& parent_;
     Level& child_;
-    Index edge_point_, centre_;   // first vertex on an edge, at a centre
-    Index face_edge_, oct_edge_;  // first edge on a face, in an oct
-    Index tet_face_, oct_face_;   // first face in a tet, in an oct
+    const Internal::ChildNumbers first_;
 };
 
 }  // namespace
@@ -348,12 +344,15 @@ Counts Refine(const Counts& p) {
 
 Offset EstimateBytes(const Counts& c, bool full) {
     constexpr Offset index = sizeof(Index), offset = sizeof(Offset);
-    Offset bytes = index * (4 * c.n_tets + 6 * c.n_octs + 4 * c.n_boundary_faces);
+    Offset bytes = index * (4 * c.n_tets + 6 * c.n_octs + 3 * c.n_boundary_faces);
     if (full) {
-        bytes += index * (10 * c.n_tets + 20 * c.n_octs + 6 * c.n_faces + 2 * c.n_edges);
+        bytes += index * (10 * c.n_tets + 20 * c.n_octs + 6 * c.n_faces + 2 * c.n_edges + c.n_boundary_faces);
         bytes += c.n_vertices + c.n_edges + c.n_faces;
-        bytes += 2 * offset * (c.n_vertices + 1) + 2 * offset * (c.n_edges + 1);
-        bytes += index * (2 * c.n_edges + 3 * c.n_faces) + (index + 1) * (6 + 12) * c.n_octs;
+        const auto relation = [&](Offset n_rows, Offset n_items, Offset item_bytes) {
+            return n_items == 0 ? 0 : offset * (n_rows + 1) + item_bytes * n_items;
+        };
+        bytes += relation(c.n_vertices, 2 * c.n_edges, index) + relation(c.n_vertices, 6 * c.n_octs, index + 1);
+        bytes += relation(c.n_edges, 3 * c.n_faces, index) + relation(c.n_edges, 12 * c.n_octs, index + 1);
     }
     return bytes;
 }
@@ -362,13 +361,17 @@ Level Refine(const Level& parent, bool full) {
     assert(parent.is_full);
     Level child;
     Splitter splitter(parent, child);
-    splitter.SplitBoundary();
+    splitter.SplitBoundary(full);
     splitter.SplitCells(full);
     if (full) {
         splitter.SplitFaces();
         splitter.SplitEdges();
         splitter.TagVertices();
-        child.BuildUpwardRelations();
+        child.vertex_edges = Internal::ChildVertexEdges(parent);
+        child.edge_faces = parent.n_cells() == 0 ? Internal::ChildEdgeFaces(parent)
+                                                 : Invert(child.face_edges, 3, child.n_edges, false);
+        child.vertex_octs = Invert(child.oct_vertices, 6, child.n_vertices, true);
+        child.edge_octs = Invert(child.oct_edges, 12, child.n_edges, true);
         child.is_full = true;
     }
     return child;

@@ -10,6 +10,7 @@ namespace SolidSubdiv::Vtr {
 
 Relation Invert(std::span<const Index> parts, int arity, Index n_parts, bool keep_locals) {
     Relation r;
+    if (parts.empty()) return r;
     r.offsets.resize(static_cast<std::size_t>(n_parts) + 1);
     r.items.resize(parts.size());
     if (keep_locals) r.locals.resize(parts.size());

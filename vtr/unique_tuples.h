@@ -48,7 +48,7 @@ struct UniqueTuples {
         Array<Offset> first(static_cast<std::size_t>(n_vertices) + 1);
         Sdc::ParallelFor(n_vertices, kGrain / 16, [&](Offset begin, Offset end) {
             for (Offset v = begin; v < end; ++v) {
-                Index* row = rows.items.data() + rows.offsets[v];
+                Index* row = rows.items.data() + rows.Start(static_cast<Index>(v));
                 const int n = rows.Count(static_cast<Index>(v));
                 std::sort(row, row + n, less);
                 Offset distinct = 0;

@@ -2,7 +2,9 @@
 // Rows made, applied and forgotten.
 #include <solidsubdiv/far/primvar_refiner.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
@@ -17,35 +19,25 @@ constexpr Offset kGrain = 2048;
 template <class Real, class Scheme>
 void InterpolateLevel(const Level& parent, const Scheme& scheme, const Real* source, Real* destination, int width) {
     const Internal::Rows<Scheme> rows(parent, scheme);
-    // length(i) and fill(i, ...) of the rows of one kind of parent, whose points start at `first`.
-    const auto apply = [&](Offset n, Offset first, auto&& length, auto&& fill) {
-        Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
-            std::vector<Index> indices;
-            std::vector<double> weights;
-            for (Offset i = begin; i < end; ++i) {
-                const std::size_t count = static_cast<std::size_t>(length(static_cast<Index>(i)));
-                indices.resize(count);
-                weights.resize(count);
-                fill(static_cast<Index>(i), indices.data(), weights.data());
-                for (int c = 0; c < width; ++c) {
-                    Real sum = 0;
-                    for (std::size_t k = 0; k < count; ++k) {
-                        sum += static_cast<Real>(weights[k]) * source[static_cast<Offset>(indices[k]) * width + c];
-                    }
-                    destination[(first + i) * width + c] = sum;
-                }
+    Sdc::ParallelFor(rows.n_children(), kGrain, [&](Offset begin, Offset end) {
+        std::vector<Index> indices;
+        std::vector<Real> weights;
+        std::vector<Real> sum(static_cast<std::size_t>(width));
+        for (Offset child = begin; child < end; ++child) {
+            const std::size_t room = rows.MaxLength(static_cast<Index>(child));
+            if (indices.size() < room) {
+                indices.resize(room);
+                weights.resize(room);
             }
-        });
-    };
-    apply(
-        parent.n_vertices, 0, [&](Index v) { return rows.VertexLength(v); },
-        [&](Index v, Index* i, double* w) { rows.FillVertex(v, i, w); });
-    apply(
-        parent.n_edges, parent.n_vertices, [&](Index e) { return rows.EdgeLength(e); },
-        [&](Index e, Index* i, double* w) { rows.FillEdge(e, i, w); });
-    apply(
-        parent.n_octs, static_cast<Offset>(parent.n_vertices) + parent.n_edges, [&](Index) { return rows.kOctLength; },
-        [&](Index o, Index* i, double* w) { rows.FillOct(o, i, w); });
+            const std::size_t n = rows.Fill(static_cast<Index>(child), indices.data(), weights.data());
+            std::fill(sum.begin(), sum.end(), Real{0});
+            for (std::size_t k = 0; k < n; ++k) {
+                const Real* const from = source + static_cast<Offset>(indices[k]) * width;
+                for (int c = 0; c < width; ++c) sum[c] += weights[k] * from[c];
+            }
+            std::copy(sum.begin(), sum.end(), destination + child * width);
+        }
+    });
 }
 
 }  // namespace

@@ -85,19 +85,16 @@ StencilTableReal<Real> StencilTableReal<Real>::CreateComposite(const TopologyRef
                                                                const Sdc::Scheme& scheme,
                                                                std::span<const CompositeRows> requests,
                                                                const Progress& progress) {
-    int max_level = 0;
+    Internal::CheckScheme(refiner.level(0), scheme);
     for (const CompositeRows& r : requests) {
         if (r.level < 0 || r.level > refiner.max_level()) {
             throw InvalidInput("composite rows of level " + std::to_string(r.level) +
                                " are asked for; levels are 0 to " + std::to_string(refiner.max_level()));
         }
-        max_level = std::max(max_level, r.level);
     }
-    // Products are summed in double whatever the table holds.
-    const auto cascaded = StencilTableReal<double>::Create(refiner, scheme, {.max_level = max_level});
     StencilTableReal table;
     table.n_control_vertices_ = refiner.level(0).n_vertices;
-    table.levels_.push_back(Internal::Compose<Real>(cascaded, requests, progress));
+    table.levels_.push_back(Internal::Compose<Real>(refiner, scheme, requests, progress));
     return table;
 }
 

@@ -27,6 +27,35 @@ class Rows {
 
     static constexpr int kOctLength = 6;
 
+    /// Rows by child vertex, in the child's numbering (vtr/refinement.h).
+    Index n_children() const { return level_.n_vertices + level_.n_edges + level_.n_octs; }
+    /// At least the number of entries of the row; quick.
+    std::size_t MaxLength(Index child) const {
+        const auto [kind, i] = Locate(child);
+        switch (kind) {
+            case Kind::Vertex:
+                return static_cast<std::size_t>(1 + level_.vertex_edges.Count(i) + level_.vertex_octs.Count(i));
+            case Kind::Edge:
+                return static_cast<std::size_t>(2 + level_.edge_faces.Count(i) + 2 * level_.edge_octs.Count(i));
+            default:
+                return kOctLength;
+        }
+    }
+    /// Fills the row and returns its length. Room for MaxLength(child) entries is needed.
+    template <class Real>
+    std::size_t Fill(Index child, Index* indices, Real* weights) const {
+        const auto [kind, i] = Locate(child);
+        switch (kind) {
+            case Kind::Vertex:
+                return static_cast<std::size_t>(FillVertex(i, indices, weights));
+            case Kind::Edge:
+                return static_cast<std::size_t>(FillEdge(i, indices, weights));
+            default:
+                FillOct(i, indices, weights);
+                return kOctLength;
+        }
+    }
+
     /// Number of entries of the row of the point at vertex v, on edge e.
     int VertexLength(Index v) const {
         int n = 1;
@@ -41,9 +70,9 @@ class Rows {
         return n;
     }
 
-    /// Fill rows of those lengths: the parent vertex or vertices first, then neighbours.
+    /// Fill rows of those lengths, which are returned: the parent vertex or vertices first, then neighbours.
     template <class Real>
-    void FillVertex(Index v, Index* indices, Real* weights) const {
+    int FillVertex(Index v, Index* indices, Real* weights) const {
         int n = 1, n_edges = 0;
         VisitVertex(
             v,
@@ -77,10 +106,11 @@ class Rows {
         weights[0] = static_cast<Real>(self);
         for (int i = 1; i <= n_edges; ++i) weights[i] = static_cast<Real>(edge);
         for (int i = n_edges + 1; i < n; ++i) weights[i] = static_cast<Real>(oct);
+        return n;
     }
 
     template <class Real>
-    void FillEdge(Index e, Index* indices, Real* weights) const {
+    int FillEdge(Index e, Index* indices, Real* weights) const {
         int n = 2, n_faces = 0, n_octs = 0;
         VisitEdge(
             e,
@@ -111,6 +141,7 @@ class Rows {
         weights[0] = weights[1] = static_cast<Real>(end);
         for (int i = 2; i < 2 + n_faces; ++i) weights[i] = static_cast<Real>(face);
         for (int i = 2 + n_faces; i < n; ++i) weights[i] = static_cast<Real>(oct);
+        return n;
     }
 
     template <class Real>
@@ -128,6 +159,18 @@ class Rows {
   private:
     using Surface = decltype(std::declval<const Scheme&>().surface());
     using Curve = decltype(std::declval<const Scheme&>().curve());
+
+    enum class Kind { Vertex, Edge, Oct };
+    struct Place {
+        Kind kind;
+        Index i;  ///< among the parent's components of that kind
+    };
+    Place Locate(Index child) const {
+        if (child < level_.n_vertices) return {Kind::Vertex, child};
+        child -= level_.n_vertices;
+        if (child < level_.n_edges) return {Kind::Edge, child};
+        return {Kind::Oct, child - level_.n_edges};
+    }
 
     Index OtherEnd(Index e, Index v) const {
         const auto ends = level_.EdgeVertices(e);

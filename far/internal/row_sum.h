@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sum of a few sparse rows, with ascending indices.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include <solidsubdiv/sdc/types.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+/// One row being summed.
+class RowSum {
+  public:
+    /// Indices are [0, n_columns). Memory: 16 bytes a column.
+    explicit RowSum(Index n_columns) : slots_(static_cast<std::size_t>(n_columns)) {}
+
+    /// Adds factor times a row of distinct or repeated indices.
+    void Add(double factor, std::span<const Index> indices, std::span<const double> weights) {
+        if (touched_.size() < n_touched_ + indices.size()) touched_.resize(2 * (n_touched_ + indices.size()));
+        Index* const touched = touched_.data();
+        Slot* const slots = slots_.data();
+        std::size_t n = n_touched_;
+        // Without a branch: whether an index is new to the row is anybody's guess.
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            Slot& slot = slots[indices[k]];
+            touched[n] = indices[k];
+            n += !slot.is_touched;
+            slot.is_touched = true;
+            slot.weight += factor * weights[k];
+        }
+        n_touched_ = n;
+    }
+
+    /// Appends the row, indices ascending, and starts anew.
+    template <class Real>
+    void Flush(std::vector<Index>& indices, std::vector<Real>& weights) {
+        std::sort(touched_.begin(), touched_.begin() + static_cast<std::ptrdiff_t>(n_touched_));
+        const std::size_t at = indices.size();
+        indices.insert(indices.end(), touched_.begin(), touched_.begin() + static_cast<std::ptrdiff_t>(n_touched_));
+        weights.resize(at + n_touched_);
+        for (std::size_t i = 0; i < n_touched_; ++i) {
+            Slot& slot = slots_[static_cast<std::size_t>(touched_[i])];
+            weights[at + i] = static_cast<Real>(slot.weight);
+            slot = {};
+        }
+        n_touched_ = 0;
+    }
+
+  private:
+    struct Slot {
+        double weight = 0;
+        bool is_touched = false;
+    };
+    std::vector<Slot> slots_;
+    std::vector<Index> touched_;
+    std::size_t n_touched_ = 0;
+};
+
+}  // namespace SolidSubdiv::Far::Internal

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program solidsubdiv-validate: runs the reference validators, one line each.
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -9,6 +10,8 @@
 
 #include <unistd.h>
 
+#include <solidsubdiv/sdc/parallel.h>
+
 #include "validators.h"
 
 namespace {
@@ -17,6 +20,7 @@ using namespace SolidSubdiv::Validation;
 
 constexpr const char* kUsage =
     "usage: solidsubdiv-validate [--list] [--only NAME] [--shapes DIR] [--report FILE.html] [--json FILE|-]\n"
+    "                            [--threads N] [--quiet]\n"
     "\n"
     "Holds the framework to references that were not derived from it. One line a validator: PASS, FAIL or SKIPPED,\n"
     "with its largest error. Exit 0 if none fails, 1 if one does, 2 on bad usage.\n"
@@ -26,15 +30,19 @@ constexpr const char* kUsage =
     "  --shapes DIR       the project's shapes (default: regression/shapes of the source tree)\n"
     "  --report FILE.html a page with everything that was found\n"
     "  --json FILE|-      the same for programs; - writes to the standard output instead of the lines\n"
+    "  --threads N        the framework uses at most N threads\n"
+    "  --quiet            only what fails\n"
     "\n"
     "Data from elsewhere is used where it is present: SOLIDSUBDIV_DATA names its folder (with tets/ and\n"
     "opensubdiv_shapes/; default ../shared/data/local beside the source tree), SOLIDSUBDIV_OSD_SHAPES that of\n"
     "OpenSubdiv's catalogue alone.\n"
     "\n"
-    "Example: solidsubdiv-validate --only counts --report counts.html\n";
+    "Example:\n"
+    "  solidsubdiv validate --only counts --report counts.html\n";
 
 struct Arguments {
-    bool list = false;
+    bool list = false, quiet = false;
+    int threads = 0;  ///< 0: as many as the machine has
     std::vector<std::string> only;
     std::filesystem::path shapes = SOLIDSUBDIV_SHAPES;
     std::string report, json;
@@ -48,11 +56,11 @@ int Fail(int code, const std::string& text) {
 std::optional<std::string> Parse(int argc, char** argv, Arguments& arguments) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
-        if (name == "--list") {
-            arguments.list = true;
+        if (name == "--list" || name == "--quiet") {
+            (name == "--list" ? arguments.list : arguments.quiet) = true;
             continue;
         }
-        if (name != "--only" && name != "--shapes" && name != "--report" && name != "--json") {
+        if (name != "--only" && name != "--shapes" && name != "--report" && name != "--json" && name != "--threads") {
             return "unknown argument " + name + "; see --help";
         }
         if (i + 1 >= argc) return name + " needs a value";
@@ -61,6 +69,12 @@ std::optional<std::string> Parse(int argc, char** argv, Arguments& arguments) {
         if (name == "--shapes") arguments.shapes = value;
         if (name == "--report") arguments.report = value;
         if (name == "--json") arguments.json = value;
+        if (name == "--threads") {
+            const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), arguments.threads);
+            if (error != std::errc() || *end || arguments.threads < 1) {
+                return "--threads takes a number from 1, not " + value;
+            }
+        }
     }
     for (const std::string& only : arguments.only) {
         bool known = false;
@@ -115,6 +129,8 @@ int main(int argc, char** argv) {
     context.scratch = std::filesystem::temp_directory_path() / ("solidsubdiv-validate-" + std::to_string(::getpid()));
     std::filesystem::create_directories(context.scratch);
 
+    std::optional<SolidSubdiv::Sdc::ThreadLimit> limit;
+    if (arguments.threads > 0) limit.emplace(arguments.threads);
     std::vector<Outcome> outcomes;
     bool failed = false;
     for (const Validator& validator : Validators()) {
@@ -123,7 +139,7 @@ int main(int argc, char** argv) {
         if (!wanted) continue;
         outcomes.push_back(Run(validator, context));
         failed |= outcomes.back().status == Status::Fail;
-        if (arguments.json == "-") continue;
+        if (arguments.json == "-" || (arguments.quiet && outcomes.back().status != Status::Fail)) continue;
         std::puts(LineOf(outcomes.back()).c_str());
         for (const std::string& text : outcomes.back().findings.skipped)
             std::printf("           SKIPPED %s\n", text.c_str());

@@ -9,6 +9,7 @@
 
 #include <solidsubdiv/apps/cli/commands.h>
 #include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/programs.h>
 
 namespace SolidSubdiv::Cli {
 namespace {
@@ -53,6 +54,14 @@ int Run(const Work& work, const CommonOptions& options) {
     return status == kSuccess ? kSuccess : Fail(status, text);
 }
 
+int Start(const Program& program, int argc, char** argv) {
+    try {
+        Become(program, argc, argv);
+    } catch (const Error& error) {
+        return Fail(kFailure, error.what());
+    }
+}
+
 int Main(int argc, char** argv) {
     CLI::App app("Subdivision of solids: control lattices of tets and octs refined into smooth solids.", "solidsubdiv");
     app.set_version_flag("--version", "solidsubdiv " SOLIDSUBDIV_VERSION, "the version");
@@ -74,10 +83,19 @@ int Main(int argc, char** argv) {
         works.push_back(command.add(*sub));
         AddCommonOptions(*sub, options);
     }
+    for (const Program& program : kPrograms) {
+        if (argc > 1 && program.name == argv[1]) return Start(program, argc, argv);
+        if (!IsThere(program)) continue;
+        app.add_subcommand(std::string(program.name), std::string(program.summary))->group("Commands");
+    }
     const auto is_called = [&](const Command& command) { return command.name == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(kCommands.begin(), kCommands.end(), is_called)) {
         std::string known;
-        for (const Command& command : kCommands) known += (known.empty() ? "" : ", ") + std::string(command.name);
+        const auto add = [&](std::string_view name) { known += (known.empty() ? "" : ", ") + std::string(name); };
+        for (const Command& command : kCommands) add(command.name);
+        for (const Program& program : kPrograms) {
+            if (IsThere(program)) add(program.name);
+        }
         return Fail(kBadUsage, "there is no command '" + std::string(argv[1]) + "'; there are " + known +
                                    "; see solidsubdiv --help");
     }

@@ -80,6 +80,25 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
     EXPECT_GE(n_choices, 15);
 }
 
+// validate and bench are programs of their own beside this one.
+TEST_F(CliUsage, ProgramsThatAreNotThereAreSaidAndNotListed) {
+    fs::copy_file(Program(), folder / "solidsubdiv");
+    const auto run = [&](const std::string& arguments) {
+        const int status =
+            std::system(("cd '" + folder.string() + "' && ./solidsubdiv " + arguments + " >out 2>err").c_str());
+        return Outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(folder / "out"),
+                       ReadText(folder / "err")};
+    };
+    for (const std::string name : {"validate", "bench"}) {
+        const Outcome outcome = run(name + " --help");
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.err, StartsWith("solidsubdiv: error: "));
+        EXPECT_THAT(outcome.err, HasSubstr("solidsubdiv-" + name + ": No such file"));
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+        EXPECT_THAT(run("--help").out, testing::Not(HasSubstr(name)));
+    }
+}
+
 TEST_F(CliUsage, VersionIsSaid) {
     const Outcome outcome = MustRun("--version");
     EXPECT_TRUE(std::regex_match(outcome.out, std::regex("solidsubdiv [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << outcome.out;

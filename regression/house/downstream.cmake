@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs what BUILD holds to a fresh prefix below WORK, then configures, builds and runs SOURCE against it: as a
-# downstream user would, with the installed package alone. Also: what is missing is named, and how to get it.
+# downstream user would, with the installed package alone. Also: README's page of C++
+# compiles and runs, and what is missing is named, with how to get it.
 foreach(name BUILD SOURCE WORK CONFIG GENERATOR CXX FLAGS)
   if(NOT DEFINED ${name})
     message(FATAL_ERROR "downstream.cmake needs -D${name}=")
@@ -8,11 +9,19 @@ foreach(name BUILD SOURCE WORK CONFIG GENERATOR CXX FLAGS)
 endforeach()
 file(REMOVE_RECURSE ${WORK})
 
+# README's page of C++ becomes a program: what follows its `using` line goes into main().
+file(READ ${SOURCE}/../../../README.md readme)
+if(NOT readme MATCHES "```cpp\n([^`]*using namespace SolidSubdiv;\n)([^`]*)```")
+  message(FATAL_ERROR "README.md has no page of C++ with the line 'using namespace SolidSubdiv;'")
+endif()
+file(WRITE ${WORK}/readme.cpp "#include <vector>\n${CMAKE_MATCH_1}int main() {\n${CMAKE_MATCH_2}}\n")
+
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix --config ${CONFIG}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
 set(configure ${CMAKE_COMMAND} -S ${SOURCE} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_COMPILER=${CXX}
-    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+    -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DREADME_PAGE=${WORK}/readme.cpp)
 execute_process(COMMAND ${configure} -B ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --config ${CONFIG} COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build -C ${CONFIG} --verbose COMMAND_ERROR_IS_FATAL ANY)

@@ -93,7 +93,7 @@ Race RaceEvaluation(const RaceSettings& settings) {
     RequireSame("our width 4", refined, wide, 4);
 
     std::vector<std::string> peers[2];  // of one thread, of two
-    for (int n_threads : {1, 2}) {
+    for (int n_threads : settings.ThreadCounts()) {
         const std::string name = plain + ", " + std::to_string(n_threads) + "T";
         add(name, n_threads, {}, run_plain, moved);
         peers[n_threads - 1].push_back(name);
@@ -122,7 +122,8 @@ Race RaceEvaluation(const RaceSettings& settings) {
 #if SOLIDSUBDIV_HAS_EIGEN
     const EigenRows eigen(static_cast<int>(n), static_cast<int>(n_control), rows.offsets.data(), rows.indices.data(),
                           rows.weights.data());
-    for (int n_threads = 1; n_threads <= std::min(2, EigenRows::MaxThreads()); ++n_threads) {
+    for (int n_threads = 1; n_threads <= std::min(settings.ThreadCounts().back(), EigenRows::MaxThreads());
+         ++n_threads) {
         const auto run = [&, n_threads] { eigen.Evaluate(control.data(), others.data(), n_threads); };
         run();
         RequireSame("Eigen", refined, others, 3);
@@ -142,12 +143,12 @@ Race RaceEvaluation(const RaceSettings& settings) {
 #endif
 
     peers[1].push_back("ours, width 3, 1T");
-    for (int n_threads : {1, 2}) {
+    for (int n_threads : settings.ThreadCounts()) {
         const std::string t = ", " + std::to_string(n_threads) + "T";
         add("ours, width 3" + t, n_threads, peers[n_threads - 1], run_ours, moved);
         add("ours, width 4" + t, n_threads, peers[n_threads - 1], run_ours_wide, moved_wide);
     }
-    race.Run(settings.Rounds(25));
+    race.Run(settings.Turns(25));
     return race;
 }
 

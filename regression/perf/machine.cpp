@@ -11,6 +11,7 @@
 
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <vector>
 
 #include <solidsubdiv/sdc/parallel.h>
@@ -68,6 +69,15 @@ void MemoryCopy::Run() {
 }
 
 double MemoryCopy::Bytes() const { return 2.0 * static_cast<double>(from_.size()); }
+
+void SetFreed(Freed freed) {
+    const bool is_kept = freed == Freed::IsKept;
+    mallopt(M_MMAP_THRESHOLD, 128 << 10);  // glibc's own start; set, it no longer moves with what was freed before
+    mallopt(M_MMAP_MAX, is_kept ? 0 : 65536);
+    mallopt(M_TRIM_THRESHOLD, is_kept ? std::numeric_limits<int>::max() : 128 << 10);
+    mallopt(M_TOP_PAD, is_kept ? 256 << 20 : 0);
+    if (!is_kept) malloc_trim(0);
+}
 
 double ResidentBytes() {
     malloc_trim(0);

@@ -38,6 +38,13 @@ class MemoryCopy {
     Array<char> from_, to_;
 };
 
+/// What freed memory becomes. Where pages are dear, this decides a race more than what the candidates compute.
+enum class Freed {
+    GoesBack,  ///< to the system: every run starts with fresh pages, as a program does that refines once
+    IsKept     ///< by the process: runs find pages that are there already, and no candidate pays for them
+};
+void SetFreed(Freed freed);
+
 /// Bytes of memory that the process holds at the moment, what it has freed given back first.
 double ResidentBytes();
 

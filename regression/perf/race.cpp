@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interleaved rounds and medians of ratios.
+// Turns by Google Benchmark, and medians of ratios.
 #include "perf/race.h"
 
-#include <time.h>
+#include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "perf/machine.h"
-#include "test_shapes.h"
 
 namespace SolidSubdiv::Perf {
 
@@ -24,23 +22,35 @@ double Median(std::vector<double> v) {
     return v.size() % 2 ? v[middle] : (v[middle - 1] + v[middle]) / 2;
 }
 
-double Now(clockid_t clock) {
-    timespec t{};
-    clock_gettime(clock, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+/// One turn.
+void TakeTurn(benchmark::State& state, const Candidate& candidate) {
+    const Sdc::ThreadLimit limit(candidate.n_threads);
+    for (auto unused : state) {
+        static_cast<void>(unused);
+        candidate.run();
+        state.PauseTiming();
+        if (candidate.clear) candidate.clear();
+        state.ResumeTiming();
+    }
 }
 
-void RunOnce(Result& result, bool is_timed) {
-    const Candidate& candidate = result.candidate;
-    const Sdc::ThreadLimit limit(candidate.n_threads);
-    const double passed = Now(CLOCK_MONOTONIC), ran = Now(CLOCK_THREAD_CPUTIME_ID);
-    candidate.run();
-    if (is_timed) {
-        result.ran.push_back(Now(CLOCK_THREAD_CPUTIME_ID) - ran);
-        result.passed.push_back(Now(CLOCK_MONOTONIC) - passed);
+/// Keeps the times of all turns, says nothing.
+class Collector : public benchmark::BenchmarkReporter {
+  public:
+    explicit Collector(std::vector<Result>& results) : results_(results) {}
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration) continue;
+            Result& result = results_[static_cast<std::size_t>(run.family_index)];
+            result.passed.push_back(run.real_accumulated_time);
+            result.ran.push_back(run.cpu_accumulated_time);
+        }
     }
-    if (candidate.clear) candidate.clear();
-}
+
+  private:
+    std::vector<Result>& results_;  // in the order of registration
+};
 
 std::string CopyName(int n_threads) { return "copy of memory, " + std::to_string(n_threads) + "T"; }
 
@@ -54,7 +64,7 @@ const Result* Race::Find(const std::string& name) const {
     return at == results_.end() ? nullptr : &*at;
 }
 
-void Race::Run(int rounds) {
+void Race::Run(int turns) {
     std::set<int> thread_counts;
     for (const Result& r : results_) {
         thread_counts.insert(r.candidate.n_threads);
@@ -69,13 +79,22 @@ void Race::Run(int rounds) {
     for (int n : thread_counts) {
         Add({.name = CopyName(n), .n_threads = n, .run = [&copy] { copy.Run(); }, .moved_bytes = copy.Bytes()});
     }
-    std::vector<std::size_t> order(results_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    TestShapes::Random random(1);
-    for (int round = -1; round < rounds; ++round) {  // round -1 warms up
-        random.Shuffle(order);
-        for (const std::size_t i : order) RunOnce(results_[i], round >= 0);
+    std::string program = "solidsubdiv-bench", interleave = "--benchmark_enable_random_interleaving=true";
+    char* arguments[] = {program.data(), interleave.data(), nullptr};
+    int n_arguments = 2;
+    benchmark::Initialize(&n_arguments, arguments);
+    benchmark::ClearRegisteredBenchmarks();
+    for (const Result& r : results_) {
+        const Sdc::ThreadLimit limit(r.candidate.n_threads);
+        r.candidate.run();
+        if (r.candidate.clear) r.candidate.clear();
+        benchmark::RegisterBenchmark(r.candidate.name.c_str(), TakeTurn, r.candidate)
+            ->Iterations(1)
+            ->Repetitions(turns);
     }
+    Collector collector(results_);
+    benchmark::RunSpecifiedBenchmarks(&collector, "all");
+    benchmark::ClearRegisteredBenchmarks();
     for (Result& r : results_) {
         const int n_threads = r.candidate.n_threads;
         r.median_seconds = Median(r.Seconds(n_threads));

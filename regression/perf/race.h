@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A race: candidates that take turns in one process, so that what slows the machine down slows all of them.
 //
-// Every round runs every candidate once, in an order drawn anew, so that none always follows the same. A candidate is
-// compared with its peer round by round; what is reported is the median of these ratios. Each race also copies memory,
+// Google Benchmark runs them, each as often as the others, in an order that is drawn anew each time. A candidate's k-th
+// turn is compared with its peer's k-th; what is reported is the median of these ratios. Each race also copies memory,
 // on as many threads as its candidates have, so that bytes a second can be told as a share of what the machine does in
 // the same minute.
 #pragma once
@@ -27,7 +27,7 @@ struct Candidate {
 
 struct Result {
     Candidate candidate;
-    std::vector<double> passed{}, ran{};  ///< seconds, one a round: on the wall, in the calling thread
+    std::vector<double> passed{}, ran{};  ///< seconds, one a turn: on the wall, in the calling thread
     double median_seconds = 0;            ///< ran, of one thread; passed, of more
     std::vector<double> speed_ratios{};   ///< of each peer: median of our work a second over its; above 1 we are faster
     double bandwidth_share = 0;           ///< median of (bytes moved a second) over (bytes copied a second)
@@ -43,8 +43,8 @@ class Race {
     explicit Race(std::string name) : name_(std::move(name)) {}
 
     void Add(Candidate candidate);
-    /// Runs every candidate once without a clock (caches, lazy set-up), then `rounds` times with one.
-    void Run(int rounds);
+    /// Runs every candidate once without a clock (caches, lazy set-up), then `turns` times with one.
+    void Run(int turns);
 
     const std::string& name() const { return name_; }
     const std::vector<Result>& results() const { return results_; }

@@ -7,12 +7,16 @@
 namespace SolidSubdiv::Perf {
 
 struct RaceSettings {
-    bool is_quick = false;  ///< a tenth of the size, three rounds: to see that it works, not to quote
-    int Rounds(int n) const { return is_quick ? 3 : n; }
+    bool is_quick = false;  ///< a tenth of the size, three turns: to see that it works, not to quote
+    int max_threads = 2;    ///< races run on one thread and, where this is more, on two
+    int Turns(int n) const { return is_quick ? 3 : n; }
+    std::vector<int> ThreadCounts() const { return max_threads > 1 ? std::vector{1, 2} : std::vector{1}; }
 };
 
 Race RaceTets(const RaceSettings& settings);
-Race RaceTriangles(const RaceSettings& settings);
+/// Twice: every candidate on fresh memory, and on memory that the process kept.
+Race RaceTrianglesFresh(const RaceSettings& settings);
+Race RaceTrianglesKept(const RaceSettings& settings);
 Race RaceEvaluation(const RaceSettings& settings);
 
 struct RaceEntry {
@@ -21,7 +25,8 @@ struct RaceEntry {
 };
 inline constexpr RaceEntry kRaces[] = {
     {"tets", &RaceTets},
-    {"triangles", &RaceTriangles},
+    {"triangles-fresh", &RaceTrianglesFresh},
+    {"triangles-kept", &RaceTrianglesKept},
     {"evaluation", &RaceEvaluation},
 };
 

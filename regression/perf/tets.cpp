@@ -66,8 +66,8 @@ class BareSplit {
 };
 
 template <class Real>
-void AddEvaluation(Race& race, const Far::StencilTableReal<Real>& table, const TestShapes::Shape& shape,
-                   const char* real) {
+void AddEvaluation(Race& race, const RaceSettings& settings, const Far::StencilTableReal<Real>& table,
+                   const TestShapes::Shape& shape, const char* real) {
     struct State {
         Osd::EvaluatorReal<Real> eval;
         Array<Real> control, refined;
@@ -81,7 +81,7 @@ void AddEvaluation(Race& race, const Far::StencilTableReal<Real>& table, const T
         points += table.level(l).n_rows();
         moved += 3.0 * sizeof(Real) * table.level(l).n_rows() * (l < table.n_levels() ? 2 : 1);  // written, then read
     }
-    for (int n_threads : {1, 2}) {
+    for (int n_threads : settings.ThreadCounts()) {
         const std::string name = std::string("evaluate positions, ") + real;
         race.Add({.name = name + ", " + std::to_string(n_threads) + "T",
                   .n_threads = n_threads,
@@ -146,7 +146,7 @@ Race RaceTets(const RaceSettings& settings) {
         stencils_float.reset();
         stencils_double.reset();
     };
-    for (int n_threads : {1, 2}) {
+    for (int n_threads : settings.ThreadCounts()) {
         const auto name = [](const char* what, int n) { return std::string(what) + ", " + std::to_string(n) + "T"; };
         const auto add = [&](const char* what, std::function<void()> run, double bytes_of_tables) {
             race.Add({.name = name(what, n_threads),
@@ -169,9 +169,10 @@ Race RaceTets(const RaceSettings& settings) {
             [&] { refine(), stencils_double.emplace(Far::StencilTableReal<double>::Create(refiner, scheme)); },
             bytes_double);
     }
-    AddEvaluation(race, table_float, shape, "float");
-    AddEvaluation(race, table_double, shape, "double");
-    race.Run(settings.Rounds(9));
+    AddEvaluation(race, settings, table_float, shape, "float");
+    AddEvaluation(race, settings, table_double, shape, "double");
+    SetFreed(Freed::GoesBack);
+    race.Run(settings.Turns(9));
     return race;
 }
 

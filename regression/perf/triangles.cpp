@@ -45,20 +45,21 @@ double BytesOf(const std::function<void()>& make) {
     return ResidentBytes() - before;
 }
 
-}  // namespace
-
-Race RaceTriangles(const RaceSettings& settings) {
-    Race race("triangles");
+Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed) {
+    Race race(title);
     const TestShapes::Shape shape = Torus(settings.is_quick);
     Ours ours, ready;
     ready.Create(shape);
     ready.Refine(false);
     const double faces = ready.refiner->level(kLevels).n_boundary_faces;
     race.notes = {"Torus of " + std::to_string(shape.triangles.size() / 3) +
-                  " triangles, three in four vertices irregular; Loop, " + std::to_string(kLevels) +
-                  " levels: " + std::to_string(static_cast<Index>(faces)) + " triangles and " +
-                  std::to_string(ready.refiner->level(kLevels).n_vertices) +
-                  " vertices in the last. Faces a second counts those of the last level alone."};
+                      " triangles, three in four vertices irregular; Loop, " + std::to_string(kLevels) +
+                      " levels: " + std::to_string(static_cast<Index>(faces)) + " triangles and " +
+                      std::to_string(ready.refiner->level(kLevels).n_vertices) +
+                      " vertices in the last. Faces a second counts those of the last level alone.",
+                  freed == Freed::GoesBack
+                      ? "Every candidate works on fresh memory: what it frees goes back to the system."
+                      : "Every candidate works on memory that the process kept: none pays for fresh pages."};
 
     const auto add = [&](std::string name, int n_threads, std::vector<std::string> peers, std::function<void()> run,
                          std::function<void()> clear, double bytes) {
@@ -123,7 +124,7 @@ Race RaceTriangles(const RaceSettings& settings) {
     race.notes.push_back("Weights in ours: " + std::to_string(n_weights) + " cascaded in " + std::to_string(n_rows) +
                          " rows.");
     ours.Create(shape);
-    for (int n_threads : {1, 2}) {
+    for (int n_threads : settings.ThreadCounts()) {
         const auto add_ours = [&](const std::string& what, std::function<void()> run, bool counts_bytes = true) {
             const double bytes = counts_bytes ? BytesOf(run) : 0;
             clear();
@@ -162,8 +163,19 @@ Race RaceTriangles(const RaceSettings& settings) {
     clear();
     clear_theirs();
 #endif
-    race.Run(settings.Rounds(7));
+    SetFreed(freed);
+    race.Run(settings.Turns(7));
+    SetFreed(Freed::GoesBack);
     return race;
+}
+
+}  // namespace
+
+Race RaceTrianglesFresh(const RaceSettings& settings) {
+    return RaceTriangles(settings, "triangles, fresh memory", Freed::GoesBack);
+}
+Race RaceTrianglesKept(const RaceSettings& settings) {
+    return RaceTriangles(settings, "triangles, kept memory", Freed::IsKept);
 }
 
 }  // namespace SolidSubdiv::Perf

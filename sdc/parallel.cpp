@@ -48,8 +48,10 @@ std::atomic<int> thread_limit{0};  // 0: as many as the machine has
 }
 
 int ThreadCount() {
+    // Asked once: the library looks it up in the system each time.
+    static const int n_processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const int limit = thread_limit.load();
-    return limit > 0 ? limit : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return limit > 0 ? limit : n_processors;
 }
 
 struct ThreadLimit::State {

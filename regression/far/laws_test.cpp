@@ -2,6 +2,7 @@
 // Laws of every scheme on every shape: they hold for any mesh, so they are checked before any particular number.
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <solidsubdiv/far/choose_diagonals.h>
 #include <solidsubdiv/far/primvar_refiner.h>
@@ -118,22 +119,43 @@ TEST(LawsTest, CompositeRowsAreProductsOfCascadedOnes) {
     });
 }
 
-TEST(LawsTest, ChosenCompositeRowsAreThoseOfTheFullTable) {
+TEST(LawsTest, ChosenCompositeRowsAreThoseOfTheFullTables) {
     const Shape shape = TestShapes::RandomSubset(TestShapes::KuhnBlock(3), 60, 2);
-    const auto refiner = Refined(shape, 2);
-    const auto full = Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, {{.level = 2}});
-    const std::vector<Index> chosen{5, 0, 200, 5, 77}, controls{3, 1};
-    const auto some = Far::StencilTable::CreateComposite(
-        refiner, Sdc::BoxSpline{}, {{.level = 2, .vertices = chosen}, {.level = 0, .vertices = controls}});
-    const auto& rows = some.level(1);
-    ASSERT_EQ(rows.n_rows(), 7);
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const auto a = rows.Weights(static_cast<Index>(i)), b = full.level(1).Weights(chosen[i]);
-        EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+    const auto refiner = Refined(shape, 3);
+    std::vector<Far::StencilTable> full;
+    for (int l = 0; l <= 3; ++l) {
+        full.push_back(Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, {{.level = l}}));
     }
-    EXPECT_EQ(rows.Indices(5)[0], 3);
-    EXPECT_EQ(rows.Weights(6)[0], 1.0);
-    EXPECT_THROW(Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, {{.level = 3}}), InvalidInput);
+    // Out of order, one twice, of several levels, alone and together, beside whole levels.
+    const std::vector<Index> some{5, 0, 200, 5, 77}, other{300, 12}, controls{3, 1};
+    const std::vector<std::vector<Far::CompositeRows>> cases = {
+        {{.level = 2, .vertices = some}},
+        {{.level = 3, .vertices = some}},
+        {{.level = 3, .vertices = some}, {.level = 0, .vertices = controls}, {.level = 3, .vertices = other}},
+        {{.level = 1, .vertices = controls}, {.level = 3, .vertices = some}, {.level = 2, .vertices = other}},
+        {{.level = 3, .vertices = some}, {.level = 2}, {.level = 0}},
+        {{.level = 1}, {.level = 3}},
+        {},
+    };
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+        SCOPED_TRACE("case " + std::to_string(c));
+        const auto table = Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, cases[c]);
+        const auto& rows = table.level(1);
+        Index row = 0;
+        for (const Far::CompositeRows& r : cases[c]) {
+            const auto& whole = full[r.level].level(1);
+            const Index n =
+                r.vertices.empty() ? refiner.level(r.level).n_vertices : static_cast<Index>(r.vertices.size());
+            for (Index i = 0; i < n; ++i, ++row) {
+                const Index v = r.vertices.empty() ? i : r.vertices[i];
+                EXPECT_TRUE(std::ranges::equal(rows.Indices(row), whole.Indices(v)));
+                EXPECT_TRUE(std::ranges::equal(rows.Weights(row), whole.Weights(v)));
+            }
+        }
+        EXPECT_EQ(rows.n_rows(), row);
+    }
+    EXPECT_THAT(full[0].level(1).weights, testing::Each(1.0));
+    EXPECT_THROW(Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, {{.level = 4}}), InvalidInput);
     const std::vector<Index> beyond{refiner.level(2).n_vertices};
     EXPECT_THROW(Far::StencilTable::CreateComposite(refiner, Sdc::BoxSpline{}, {{.level = 2, .vertices = beyond}}),
                  InvalidInput);

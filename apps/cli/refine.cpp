@@ -152,10 +152,10 @@ class RefineCommand {
     void Write(const Refinement& refinement, const RefinementSettings& settings) {
         session_.Stage("write");
         const Io::WriteOptions how{.keep_octahedra = options_.keep_octahedra, .binary = !options_.ascii};
-        Io::WriteMesh(output_, refinement.result(), how);
+        WriteOne(options_.output, output_, refinement.result(), how);
         AddOutput("mesh", options_.output, output_);
         if (!boundary_.empty()) {
-            Io::WriteMesh(boundary_, refinement.Boundary(), how);
+            WriteOne(options_.boundary, boundary_, refinement.Boundary(), how);
             AddOutput("boundary", options_.boundary, boundary_);
         }
         if (!stencils_.empty()) WriteStencils(refinement, settings);
@@ -170,6 +170,15 @@ class RefineCommand {
         }
 #endif
         session_.EndStage();
+    }
+
+    void WriteOne(const std::string& file, const std::filesystem::path& written, const Io::Mesh& mesh,
+                  const Io::WriteOptions& how) {
+        Io::WriteMesh(written, mesh, how);
+        std::string names;
+        for (const std::string& name : Io::AttributesLeftOut(written, mesh))
+            names += (names.empty() ? "" : ", ") + name;
+        if (!names.empty()) session_.Note(file + ": the format can't carry " + names + ", left out");
     }
 
     void WriteStencils(const Refinement& refinement, const RefinementSettings& settings) {

@@ -22,17 +22,19 @@ Mesh ReadOneFile(const std::filesystem::path& path) {
     return Parse(Internal::ReadWholeFile(path), Internal::NameOf(path));
 }
 
-// extension, name, reader, writer, holds solids, holds surfaces
+// extension, name, reader, writer, holds solids, holds surfaces, which attributes it carries
 constexpr std::array kFormats = {
     Format{".vtu", "VTK XML unstructured grid", ReadOneFile<Internal::ParseVtu>, Internal::WriteVtu, true, true},
     Format{".vtk", "legacy VTK", ReadOneFile<Internal::ParseVtk>, Internal::WriteVtk, true, true},
     Format{".msh", "Gmsh", ReadOneFile<Internal::ParseGmsh>, Internal::WriteGmsh, true, true},
-    Format{".mesh", "MEDIT", ReadOneFile<Internal::ParseMedit>, Internal::WriteMedit, true, true},
+    Format{".mesh", "MEDIT", ReadOneFile<Internal::ParseMedit>, Internal::WriteMedit, true, true,
+           Internal::MeditCarries},
     Format{".node", "TetGen points", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
     Format{".ele", "TetGen tetrahedra", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
     Format{".ply", "PLY", ReadOneFile<Internal::ParsePly>, Internal::WritePly, false, true},
-    Format{".stl", "STL", ReadOneFile<Internal::ParseStl>, Internal::WriteStl, false, true},
-    Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true},
+    Format{".stl", "STL", ReadOneFile<Internal::ParseStl>, Internal::WriteStl, false, true, Internal::StlCarries},
+    Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true,
+           Internal::ObjCarries},
 };
 
 }  // namespace
@@ -76,6 +78,18 @@ void WriteMesh(const std::filesystem::path& path, const Mesh& mesh, const WriteO
     if (!format.write) Internal::Fail(Internal::NameOf(path), std::string(format.name) + " files are only read");
     Internal::RequireConsistent(mesh);
     format.write(path, mesh, options);
+}
+
+std::vector<std::string> AttributesLeftOut(const std::filesystem::path& path, const Mesh& mesh) {
+    const Format& format = FormatOf(path);
+    std::vector<std::string> names;
+    if (!format.carries) return names;
+    for (const auto* attributes : {&mesh.point_data, &mesh.cell_data}) {
+        for (const Attribute& a : *attributes) {
+            if (!format.carries(mesh, a)) names.push_back(a.name);
+        }
+    }
+    return names;
 }
 
 }  // namespace SolidSubdiv::Io

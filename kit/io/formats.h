@@ -4,7 +4,8 @@
 //     Io::Mesh mesh = Io::ReadMesh("part.vtu");
 //     Io::WriteMesh("part.vtk", mesh);
 //
-// What each format holds; the rest of a mesh is refused (elements, by name) or not written (attributes):
+// What each format holds; the rest of a mesh is refused (elements, by name) or left out (attributes, see
+// AttributesLeftOut):
 //
 //     .vtu .vtk     everything; octahedra as polyhedra or cut
 //     .msh          all but polyhedra and polygons; every attribute, `physical` and `elementary` as the elements' tags
@@ -17,7 +18,9 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <solidsubdiv/kit/io/mesh.h>
 
@@ -43,6 +46,8 @@ struct Format {
     MeshWriter write;
     bool solids;    ///< can hold cells
     bool surfaces;  ///< can hold faces
+    /// Whether it carries an attribute of the mesh; null: every one.
+    bool (*carries)(const Mesh&, const Attribute&) = nullptr;
 };
 
 /// The list; a new format is a file in formats/ and a line in formats.cpp.
@@ -61,5 +66,9 @@ Mesh ReadSolid(const std::filesystem::path& path);
 /// Writes beside the file and renames, so that no partial file is left. @throws IoError if the format can't hold the
 /// mesh.
 void WriteMesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options = {});
+
+/// Names of the mesh's attributes that WriteMesh leaves out of a file of this name, since its format can't carry them.
+/// @throws IoError as FormatOf
+std::vector<std::string> AttributesLeftOut(const std::filesystem::path& path, const Mesh& mesh);
 
 }  // namespace SolidSubdiv::Io

@@ -45,6 +45,16 @@ TEST_F(CliRefine, TwentyEightTetsGrowAsInThePaper) {
     EXPECT_EQ(json["outputs"][0]["bytes"], fs::file_size(folder / "out.vtu"));
 }
 
+TEST_F(CliRefine, AttributesThatAFormatCannotCarryAreNamed) {
+    Io::Mesh mesh = TwentyEightTets();
+    mesh.point_data.push_back({"density", 1, std::vector<double>(16, 2.5)});
+    WriteMesh("dense.vtu", mesh);
+    const Outcome outcome = MustRun("refine dense.vtu -o out.vtu --boundary skin.stl");
+    EXPECT_EQ(outcome.err, "solidsubdiv: skin.stl: the format can't carry density, left out\n");
+    EXPECT_NE(ReadMesh("out.vtu").FindPointData("density"), nullptr);
+    EXPECT_THAT(MustRun("refine dense.vtu -o out.vtu --boundary skin.ply").err, IsEmpty());
+}
+
 TEST_F(CliRefine, OctahedraAreCutIntoFourUnlessKept) {
     MustRun("refine lattice.vtu -o cut.vtu");
     MustRun("refine lattice.vtu -o kept.vtu --keep-octahedra");

@@ -181,6 +181,10 @@ void Write(const std::filesystem::path& path, const Mesh& mesh) {
 
 Mesh ParseMedit(std::string_view bytes, const std::string& file) { return MeditReader(bytes, file).Read(); }
 
+bool MeditCarries(const Mesh& mesh, const Attribute& attribute) {
+    return &attribute == References(mesh.point_data) || &attribute == References(mesh.cell_data);
+}
+
 void WriteMedit(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions&) {
     mesh.topology.octs.empty() ? Write(path, mesh) : Write(path, CutOctahedra(mesh));
 }

@@ -108,16 +108,23 @@ class ObjReader {
     std::int64_t n_free_form_ = 0;
 };
 
+/// The attribute that vertices carry, or null.
+const Attribute* ColorsOf(const Mesh& mesh) {
+    const Attribute* const color = mesh.FindPointData("color");
+    return color && color->width == 3 ? color : nullptr;
+}
+
 }  // namespace
 
 Mesh ParseObj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).Read(); }
+
+bool ObjCarries(const Mesh& mesh, const Attribute& attribute) { return &attribute == ColorsOf(mesh); }
 
 void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions&) {
     constexpr std::array kinds = {ElementKind::Triangle, ElementKind::Quad, ElementKind::Polygon, ElementKind::Edge,
                                   ElementKind::Vertex};
     RequireKinds(path, mesh, "OBJ", kinds);
-    const Attribute* color = mesh.FindPointData("color");
-    if (color && color->width != 3) color = nullptr;
+    const Attribute* const color = ColorsOf(mesh);
 
     OutputFile file(path);
     file << "# written by SolidSubdiv\n";

@@ -213,6 +213,8 @@ Mesh ParseStl(std::string_view bytes, const std::string& file) {
     return builder.Finish();
 }
 
+bool StlCarries(const Mesh&, const Attribute&) { return false; }
+
 void WriteStl(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options) {
     constexpr std::array kinds = {ElementKind::Triangle};
     RequireKinds(path, mesh, "STL", kinds);

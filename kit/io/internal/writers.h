@@ -17,4 +17,9 @@ void WritePly(const std::filesystem::path& path, const Mesh& mesh, const WriteOp
 void WriteStl(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
 void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options);
 
+/// Whether the format carries an attribute of the mesh. Those without such a function carry all.
+bool MeditCarries(const Mesh& mesh, const Attribute& attribute);
+bool StlCarries(const Mesh& mesh, const Attribute& attribute);
+bool ObjCarries(const Mesh& mesh, const Attribute& attribute);
+
 }  // namespace SolidSubdiv::Io::Internal

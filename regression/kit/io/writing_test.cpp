@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "kit/io/support.h"
@@ -32,6 +33,33 @@ TEST(Writing, KindsThatAFormatCannotHoldAreRefusedByName) {
         EXPECT_EQ(message,
                   (folder / c.file).string() + ": " + c.says + "; choose another format, .vtu holds everything");
         EXPECT_THAT(folder.Files(), testing::IsEmpty());
+    }
+}
+
+TEST(Writing, AttributesSaidToBeLeftOutAreThoseThatDoNotComeBack) {
+    for (const Format& format : Formats()) {
+        SCOPED_TRACE(format.extension);
+        Mesh mesh = MeshOf(format.solids ? "t" : "T");
+        for (double& x : mesh.positions) x = std::clamp(x, -9.0, 9.0);  // STL's numbers have 32 bits
+        mesh.point_data[1].name = "flow";                               // PLY's names have no spaces
+        const auto n = static_cast<std::size_t>(mesh.topology.n_elements());
+        mesh.point_data.push_back({"color", 3, std::vector<double>(36, 0.5)});
+        mesh.cell_data.push_back({"physical", 1, std::vector<double>(n, 3)});
+        mesh.cell_data.push_back({"reference", 1, std::vector<double>(n, 4)});
+
+        TemporaryFolder folder;
+        const auto path = folder / ("a" + std::string(format.extension));
+        WriteMesh(path, mesh);
+        const Mesh back = ReadMesh(path);
+        std::vector<std::string> missing;
+        for (const Attribute& a : mesh.point_data) {
+            if (!back.FindPointData(a.name)) missing.push_back(a.name);
+        }
+        for (const Attribute& a : mesh.cell_data) {
+            if (!back.FindCellData(a.name)) missing.push_back(a.name);
+        }
+        EXPECT_EQ(AttributesLeftOut(path, mesh), missing);
+        EXPECT_EQ(missing.empty(), format.carries == nullptr);
     }
 }
 

@@ -119,6 +119,12 @@ class VtkReader {
         return *type;
     }
 
+    NumberType ReadIntegerType(std::string_view what) {
+        const NumberType type = ReadType();
+        if (!IsInteger(type)) text_.FailHere(std::string(what) + " must be of an integer type");
+        return type;
+    }
+
     /// n * width numbers; refused before anything is allocated if the file's rest is too short for them.
     template <class T>
     std::vector<T> ReadNumbers(std::int64_t n, std::int64_t width, NumberType type, std::string_view what) {
@@ -206,11 +212,11 @@ class VtkReader {
     /// The layout of version 5: n - 1 cells, n offsets, then all vertices.
     void ReadOffsetsAndConnectivity(std::int64_t n, std::int64_t size, CellLists& lists) {
         text_.Word();
-        const NumberType offset_type = ReadType();
+        const NumberType offset_type = ReadIntegerType("OFFSETS");
         const Integers offsets = ReadNumbers<std::int64_t>(n, 1, offset_type, "OFFSETS");
         if (LowerCase(text_.PeekWord()) != "connectivity") text_.FailExpected("CONNECTIVITY");
         text_.Word();
-        const NumberType type = ReadType();
+        const NumberType type = ReadIntegerType("CONNECTIVITY");
         lists.vertices = ReadNumbers<std::int64_t>(size, 1, type, "CONNECTIVITY");
         for (std::size_t cell = 1; cell < offsets.size(); ++cell) {
             if (offsets[0] != 0 || offsets[cell] < offsets[cell - 1] || offsets[cell] > size) {

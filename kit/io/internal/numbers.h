@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace SolidSubdiv::Io::Internal {
@@ -62,6 +64,7 @@ template <class To>
 std::vector<To> ConvertNumbers(std::string_view bytes, NumberType type, bool swap_bytes) {
     return VisitNumberType(type, [&](auto zero) {
         using From = decltype(zero);
+        assert(std::is_floating_point_v<To> || std::is_integral_v<From>);
         std::vector<To> numbers(bytes.size() / sizeof(From));
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             numbers[i] = static_cast<To>(LoadNumber<From>(bytes.data() + i * sizeof(From), swap_bytes));

@@ -42,6 +42,15 @@ const std::vector<BadFile> kBadFiles = {
     {"unknown.xyz", "1 2 3", "the extension '.xyz' is unknown; known are .vtu"},
     {"none", "1 2 3", "no extension"},
 
+    {"real_offsets.vtk",
+     "# vtk DataFile Version 5.1\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n" + kFour +
+         "\nCELLS 2 4\nOFFSETS double\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\n",
+     "OFFSETS must be of an integer type"},
+    {"real_vertices.vtk",
+     "# vtk DataFile Version 5.1\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n" + kFour +
+         "\nCELLS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY float\n0 1 2 3\n",
+     "CONNECTIVITY must be of an integer type"},
+
     {"noxml.vtu", "hello", "no complete XML"},
     {"cut.vtu", "<VTKFile type=\"UnstructuredGrid\">\n<Unstr", "no complete XML"},
     {"other.vtu", "<html></html>", "no element VTKFile"},

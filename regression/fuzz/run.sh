@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs every fuzz target in build/fuzz/bin for SECONDS on a copy of its seeds: one line a target, failure if any crashes.
-# Seeds: regression/shapes/io_corpus by extension, and corpus/TARGET/ here (inputs that once failed). Builds nothing:
+# Seeds: regression/shapes/io_corpus by extension, corpus/TARGET/ here (inputs that once failed) and corpus/TARGET.tar.gz
+# (the smallest set that covers what long runs found). Builds nothing:
 #   cmake --preset fuzz && cmake --build --preset fuzz && regression/fuzz/run.sh 30
 # FUZZ_KEEP=FOLDER keeps what was found in FOLDER/TARGET for the next run, and adds up: SECONDS are then those of the
 # processor, and each target runs until it has had as many in all.
@@ -20,6 +21,7 @@ copy_seeds() { # TARGET FOLDER
         find "$shapes" -name "*.$kind" -exec cp {} "$2" \;
     fi
     if [ -d "$here/corpus/$1" ]; then cp "$here/corpus/$1"/* "$2"; fi
+    if [ -f "$here/corpus/$1.tar.gz" ]; then tar -xzf "$here/corpus/$1.tar.gz" -C "$2"; fi
 }
 
 # Sums of what runs wrote down: seconds of the processor, executions.

@@ -13,29 +13,10 @@ namespace SolidSubdiv::Far::Internal {
 
 namespace {
 
-/// One row of one level, over the level before.
-struct RowBuffer {
-    std::vector<Index> indices;
-    std::vector<double> weights;
-    std::size_t n = 0;
-
-    template <class Scheme>
-    void Read(const Rows<Scheme>& rows, Index child) {
-        const std::size_t room = rows.MaxLength(child);
-        if (indices.size() < room) {
-            indices.resize(2 * room);
-            weights.resize(2 * room);
-        }
-        n = rows.Fill(child, indices.data(), weights.data());
-    }
-    std::span<const Index> Indices() const { return {indices.data(), n}; }
-    std::span<const double> Weights() const { return {weights.data(), n}; }
-};
-
 /// What a thread needs. Aligned, so that no two threads share a cache line.
 struct alignas(64) Worker {
     RowSum sum;
-    RowBuffer row;
+    RowBuffer<double> row;
 };
 
 /// Composite rows of some vertices of one level.
@@ -237,7 +218,7 @@ class Composer {
         if (below.is_whole) return;
         below.places.assign(NVertices(l - 1), kNoIndex);
         WithRows(l, [&](const auto& rows) {
-            RowBuffer row;
+            RowBuffer<double> row;
             for (Index v : level.vertices) {
                 row.Read(rows, v);
                 for (Index source : row.Indices()) below.places[source] = 0;

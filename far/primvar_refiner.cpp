@@ -20,20 +20,14 @@ template <class Real, class Scheme>
 void InterpolateLevel(const Level& parent, const Scheme& scheme, const Real* source, Real* destination, int width) {
     const Internal::Rows<Scheme> rows(parent, scheme);
     Sdc::ParallelFor(rows.n_children(), kGrain, [&](Offset begin, Offset end) {
-        std::vector<Index> indices;
-        std::vector<Real> weights;
+        Internal::RowBuffer<Real> row;
         std::vector<Real> sum(static_cast<std::size_t>(width));
         for (Offset child = begin; child < end; ++child) {
-            const std::size_t room = rows.MaxLength(static_cast<Index>(child));
-            if (indices.size() < room) {
-                indices.resize(room);
-                weights.resize(room);
-            }
-            const std::size_t n = rows.Fill(static_cast<Index>(child), indices.data(), weights.data());
+            row.Read(rows, static_cast<Index>(child));
             std::fill(sum.begin(), sum.end(), Real{0});
-            for (std::size_t k = 0; k < n; ++k) {
-                const Real* const from = source + static_cast<Offset>(indices[k]) * width;
-                for (int c = 0; c < width; ++c) sum[c] += weights[k] * from[c];
+            for (std::size_t k = 0; k < row.n; ++k) {
+                const Real* const from = source + static_cast<Offset>(row.indices[k]) * width;
+                for (int c = 0; c < width; ++c) sum[c] += row.weights[k] * from[c];
             }
             std::copy(sum.begin(), sum.end(), destination + child * width);
         }

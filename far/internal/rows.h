@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cassert>
+#include <span>
+#include <vector>
 
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/vtr/level.h>
@@ -273,6 +275,26 @@ class Rows {
     Surface surface_;
     Curve curve_;
     Sdc::Footprint footprint_{};
+};
+
+/// One row after another, in room that is used again.
+template <class Real>
+struct RowBuffer {
+    std::vector<Index> indices;  ///< and weights: the first n count
+    std::vector<Real> weights;
+    std::size_t n = 0;
+
+    template <class Scheme>
+    void Read(const Rows<Scheme>& rows, Index child) {
+        const std::size_t room = rows.MaxLength(child);
+        if (indices.size() < room) {
+            indices.resize(2 * room);
+            weights.resize(2 * room);
+        }
+        n = rows.Fill(child, indices.data(), weights.data());
+    }
+    std::span<const Index> Indices() const { return {indices.data(), n}; }
+    std::span<const Real> Weights() const { return {weights.data(), n}; }
 };
 
 }  // namespace SolidSubdiv::Far::Internal

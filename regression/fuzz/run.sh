@@ -5,7 +5,7 @@
 # (the smallest set that covers what long runs found). Builds nothing:
 #   cmake --preset fuzz && cmake --build --preset fuzz && regression/fuzz/run.sh 30
 # FUZZ_KEEP=FOLDER keeps what was found in FOLDER/TARGET for the next run, and adds up: SECONDS are then those of the
-# processor, and each target runs until it has had as many in all.
+# processor, and each target runs until it has had as many in all, ten minutes at a time: what is cut off loses no more.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 bin=${FUZZ_BIN:-$here/../../build/fuzz/bin}
@@ -31,7 +31,7 @@ totals() { # FOLDER
 }
 
 run_one() { # TARGET SECONDS
-    local folder options=() status=0 executions coverage seconds=$2 had=0 used
+    local folder options=() status=0 executions coverage seconds=$2 slice=$2 had=0 used
     if [ -n "${FUZZ_KEEP:-}" ]; then
         folder=$FUZZ_KEEP/$1
         read -r had _ <<< "$(totals "$folder")"
@@ -46,7 +46,8 @@ run_one() { # TARGET SECONDS
     if [ -f "$here/dictionaries/${1#fuzz_}.dict" ]; then options+=("-dict=$here/dictionaries/${1#fuzz_}.dict"); fi
     while [ "$seconds" -gt 0 ] && [ "$status" -eq 0 ]; do
         TIMEFORMAT='%U %S'
-        used=$({ time "$bin/$1" "$folder/seeds" -max_total_time="$seconds" -rss_limit_mb=2048 -timeout=25 \
+        if [ -n "${FUZZ_KEEP:-}" ]; then slice=$((seconds < 600 ? seconds : 600)); fi
+        used=$({ time "$bin/$1" "$folder/seeds" -max_total_time="$slice" -rss_limit_mb=2048 -timeout=25 \
             -print_final_stats=1 -use_value_profile=1 -artifact_prefix="$folder/" "${options[@]}" > "$folder/log" 2>&1; } 2>&1) \
             || status=$?
         executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/row_maker.h>
+#include <solidsubdiv/far/internal/row_sum.h>
 #include <solidsubdiv/far/internal/rows.h>
 
 namespace SolidSubdiv::Far::Internal {
@@ -27,6 +28,12 @@ struct Wanted {
     Index n;
     const Index* vertices;  ///< null: all, in their order
     Index operator[](Index i) const { return vertices ? vertices[i] : i; }
+};
+
+/// What a thread needs.
+struct Worker {
+    RowSum sum;
+    RowBuffer<double> row;
 };
 
 class Composer {
@@ -136,18 +143,19 @@ class Composer {
         StencilRows<Real> result;
         const PartialLevel& below = levels_[l - 1];
         WithRows(l, [&](const auto& rows) {
-            RowMaker<Real> maker(wanted.n, NControl());
-            result = maker.Make([&](Index i, Worker& worker) {
+            RowMaker<Real, Worker> maker(wanted.n, NControl(), {RowSum(NControl()), {}});
+            result = maker.Make([&](Index i, Worker& worker, RowPart<Real>& part) {
                 auto& [sum, row] = worker;
                 row.Read(rows, wanted[i]);
                 if (l == 1) {
                     sum.Add(1.0, row.Indices(), row.Weights());
-                    return;
+                } else {
+                    for (std::size_t k = 0; k < row.n; ++k) {
+                        const Index source = below.Place(row.indices[k]);
+                        sum.Add(row.weights[k], below.rows.Indices(source), below.rows.Weights(source));
+                    }
                 }
-                for (std::size_t k = 0; k < row.n; ++k) {
-                    const Index source = below.Place(row.indices[k]);
-                    sum.Add(row.weights[k], below.rows.Indices(source), below.rows.Weights(source));
-                }
+                sum.Flush(part.indices, part.weights);
             });
         });
         return result;

@@ -30,8 +30,7 @@ bool HasSmoothRing(const Level& level, Index v) {
 }
 
 template <class Scheme>
-MaskRow LimitOf(const Level& level, const Scheme& scheme, Index v) {
-    const Internal::Rows<Scheme> rows(level, scheme);
+MaskRow LimitOf(const Level& level, const Scheme& scheme, const Internal::Rows<Scheme>& rows, Index v) {
     MaskRow mask;
     mask.indices.resize(static_cast<std::size_t>(rows.VertexLength(v)));
     mask.weights.resize(mask.indices.size());
@@ -44,15 +43,26 @@ MaskRow LimitOf(const Level& level, const Scheme& scheme, Index v) {
     if (n == 0) return mask;
     const Vtr::Rule rule = level.vertex_tags[v].rule();
     if (rule == Vtr::Rule::Surface && HasSmoothRing(level, v)) {
-        set(scheme.surface().Limit(n));
+        if constexpr (!decltype(scheme.surface())::kVerticesStay) set(scheme.surface().Limit(n));
     } else if (rule == Vtr::Rule::Curve) {
-        set(scheme.curve().Limit());
+        if constexpr (!decltype(scheme.curve())::kVerticesStay) set(scheme.curve().Limit());
     } else {
         const auto m = MakeLocalMatrix(level, scheme, v);
         mask.weights = m ? LimitMaskOf(*m) : std::vector<double>{};
         if (mask.weights.empty()) mask.indices.clear();
     }
     return mask;
+}
+
+template <class Scheme>
+std::vector<MaskRow> LimitsOf(const Level& level, const Scheme& scheme) {
+    constexpr Offset kGrain = 256;
+    const Internal::Rows<Scheme> rows(level, scheme);
+    std::vector<MaskRow> masks(level.n_vertices);
+    Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
+        for (Offset v = begin; v < end; ++v) masks[v] = LimitOf(level, scheme, rows, static_cast<Index>(v));
+    });
+    return masks;
 }
 
 }  // namespace
@@ -66,13 +76,7 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
                            " need its full topology: refine with full_topology_in_last_level");
     }
     const Level& level = refiner.level(l);
-    std::vector<MaskRow> masks(level.n_vertices);
-    constexpr Offset kGrain = 256;
-    Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
-        for (Offset v = begin; v < end; ++v) {
-            masks[v] = std::visit([&](const auto& s) { return LimitOf(level, s, static_cast<Index>(v)); }, scheme);
-        }
-    });
+    const std::vector<MaskRow> masks = std::visit([&](const auto& s) { return LimitsOf(level, s); }, scheme);
 
     LimitStencilTable table;
     table.rows_.n_sources = level.n_vertices;

@@ -15,9 +15,9 @@ template <class Scheme>
 std::optional<LocalMatrix> Make(const Level& level, const Scheme& scheme, Index vertex) {
     const Internal::Rows<Scheme> rows(level, scheme);
     LocalMatrix m;
-    std::vector<double> weights(static_cast<std::size_t>(rows.VertexLength(vertex)));
-    m.ring.resize(weights.size());
-    rows.FillVertex(vertex, m.ring.data(), weights.data());
+    Internal::RowBuffer<double> row;
+    row.Read(rows, rows.ChildOfVertex(vertex));
+    m.ring.assign(row.Indices().begin(), row.Indices().end());
     const std::size_t n = m.ring.size();
     m.weights.assign(n * n, 0.0);
     bool closed = true;
@@ -25,42 +25,35 @@ std::optional<LocalMatrix> Make(const Level& level, const Scheme& scheme, Index 
     const auto place = [&](Index v) {
         return static_cast<std::size_t>(std::find(m.ring.begin(), m.ring.end(), v) - m.ring.begin());
     };
-    const auto set_row = [&](std::size_t row, const std::vector<Index>& indices, const std::vector<double>& values) {
-        for (std::size_t k = 0; k < indices.size(); ++k) {
-            const std::size_t column = place(indices[k]);
+    std::vector<bool> has_row(n, false);
+    const auto set_row = [&](std::size_t i) {
+        for (std::size_t k = 0; k < row.n; ++k) {
+            const std::size_t column = place(row.indices[k]);
             if (column == n) {
                 closed = false;
             } else {
-                m.weights[row * n + column] += values[k];
+                m.weights[i * n + column] += row.weights[k];
             }
         }
+        has_row[i] = true;
     };
-    set_row(0, m.ring, weights);
+    set_row(0);
 
-    std::vector<bool> has_row(n, false);
-    has_row[0] = true;
-    std::vector<Index> indices;
     for (Index e : level.vertex_edges[vertex]) {
         const auto ends = level.EdgeVertices(e);
-        const std::size_t row = place(ends[0] + ends[1] - vertex);
-        if (row == n) continue;  // an edge that the rule at the vertex does not see
-        indices.resize(static_cast<std::size_t>(rows.EdgeLength(e)));
-        weights.resize(indices.size());
-        rows.FillEdge(e, indices.data(), weights.data());
-        set_row(row, indices, weights);
-        has_row[row] = true;
+        const std::size_t i = place(ends[0] + ends[1] - vertex);
+        if (i == n) continue;  // an edge that the rule at the vertex does not see
+        row.Read(rows, rows.ChildOfEdge(e));
+        set_row(i);
     }
     // What is left are vertices opposite in octahedra; their successors are the centres.
     const auto octs = level.vertex_octs[vertex];
     const auto locals = level.vertex_octs.Locals(vertex);
-    for (std::size_t i = 0; i < octs.size(); ++i) {
-        const std::size_t row = place(level.OctVertices(octs[i])[Sdc::Oct::Opposite(locals[i])]);
-        if (row == n || has_row[row]) continue;
-        indices.resize(rows.kOctLength);
-        weights.resize(rows.kOctLength);
-        rows.FillOct(octs[i], indices.data(), weights.data());
-        set_row(row, indices, weights);
-        has_row[row] = true;
+    for (std::size_t k = 0; k < octs.size(); ++k) {
+        const std::size_t i = place(level.OctVertices(octs[k])[Sdc::Oct::Opposite(locals[k])]);
+        if (i == n || has_row[i]) continue;
+        row.Read(rows, rows.ChildOfOct(octs[k]));
+        set_row(i);
     }
     if (!closed || std::find(has_row.begin(), has_row.end(), false) != has_row.end()) return std::nullopt;
     return m;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cascaded tables: count, scan, fill.
+// Cascaded tables: count, scan, fill; rows that must be made to be counted are made once, a chunk at a time.
 #include <solidsubdiv/far/stencil_table.h>
 
 #include <string>
 
 #include <solidsubdiv/far/internal/compose.h>
+#include <solidsubdiv/far/internal/row_maker.h>
 #include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
 #include <solidsubdiv/sdc/parallel.h>
@@ -15,9 +16,9 @@ namespace {
 
 constexpr Offset kGrain = 4096;
 
+/// Rows whose lengths are known beforehand.
 template <class Real, class Scheme>
-StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
-    const Internal::Rows<Scheme> rows(parent, scheme);
+StencilRows<Real> MakeCountedRows(const Level& parent, const Internal::Rows<Scheme>& rows) {
     const Offset first_edge = parent.n_vertices, first_oct = first_edge + parent.n_edges, n = first_oct + parent.n_octs;
 
     StencilRows<Real> table;
@@ -31,7 +32,7 @@ StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
         for (Offset e = begin; e < end; ++e) offsets[first_edge + e] = rows.EdgeLength(static_cast<Index>(e));
     });
     Sdc::ParallelFor(parent.n_octs, kGrain, [&](Offset begin, Offset end) {
-        for (Offset o = begin; o < end; ++o) offsets[first_oct + o] = rows.kOctLength;
+        for (Offset o = begin; o < end; ++o) offsets[first_oct + o] = rows.OctLength();
     });
     const Offset n_weights = Sdc::ScanLengths(table.offsets);
 
@@ -56,6 +57,22 @@ StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
         }
     });
     return table;
+}
+
+template <class Real, class Scheme>
+StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
+    const Internal::Rows<Scheme> rows(parent, scheme);
+    if constexpr (Internal::Rows<Scheme>::kHasLengths) return MakeCountedRows<Real>(parent, rows);
+    struct Nothing {};
+    return Internal::RowMaker<Real, Nothing>(rows.n_children(), parent.n_vertices, {})
+        .Make([&](Index child, Nothing&, Internal::RowPart<Real>& part) {
+            const std::size_t at = part.indices.size(), room = at + rows.MaxLength(child);
+            part.indices.resize(room);
+            part.weights.resize(room);
+            const std::size_t n = at + rows.Fill(child, part.indices.data() + at, part.weights.data() + at);
+            part.indices.resize(n);
+            part.weights.resize(n);
+        });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <numeric>
@@ -147,6 +148,61 @@ inline Shape OctahedronSurface() {
     return s;
 }
 
+/// n by n squares in the plane, each cut into two triangles: regular inside.
+inline Shape TriangleGrid(int n) {
+    Shape s;
+    const Index m = n + 1;
+    s.n_vertices = m * m;
+    for (Index y = 0; y < m; ++y) {
+        for (Index x = 0; x < m; ++x) {
+            for (Index c : {x, y, 0}) s.positions.push_back(c);
+            if (x == n || y == n) continue;
+            const Index v = x + m * y;
+            s.triangles.insert(s.triangles.end(), {v, v + 1, v + m + 1, v, v + m + 1, v + m});
+        }
+    }
+    return s;
+}
+
+/// Keeps about `percent` of the triangles: borders of every kind, holes, fans that meet in a vertex.
+inline Shape RandomTriangles(const Shape& whole, int percent, std::uint64_t seed) {
+    Random random(seed);
+    Shape s = whole;
+    s.triangles.clear();
+    for (std::size_t t = 0; t < whole.triangles.size(); t += 3) {
+        if (random.Below(100) < percent)
+            s.triangles.insert(s.triangles.end(), whole.triangles.begin() + t, whole.triangles.begin() + t + 3);
+    }
+    return s;
+}
+
+/// n triangles around vertex 0 and `rings` - 1 rings around them, all regular: a valence of n, a border, its corners.
+inline Shape Disc(int n, int rings) {
+    Shape s;
+    const auto add = [&](double radius, double turn) {
+        const double angle = 2 * 3.14159265358979323846 * turn;
+        s.positions.insert(s.positions.end(),
+                           {radius * std::cos(angle), radius * std::sin(angle), 0.1 * radius * radius});
+        return s.n_vertices++;
+    };
+    std::vector<Index> inner{add(0, 0)}, outer;
+    for (int r = 1; r <= rings; ++r) {
+        outer.clear();
+        for (int i = 0; i < n * r; ++i) outer.push_back(add(r, static_cast<double>(i) / (n * r)));
+        const int n_inner = static_cast<int>(inner.size()), n_outer = static_cast<int>(outer.size());
+        for (int side = 0; side < n; ++side) {
+            for (int i = 0; i < r; ++i) {
+                const Index a = inner[(side * (r - 1) + i) % n_inner], b = outer[side * r + i],
+                            c = outer[(side * r + i + 1) % n_outer];
+                s.triangles.insert(s.triangles.end(), {a, b, c});
+                if (i + 1 < r) s.triangles.insert(s.triangles.end(), {a, c, inner[(side * (r - 1) + i + 1) % n_inner]});
+            }
+        }
+        inner = outer;
+    }
+    return s;
+}
+
 /// Every shape above with its name, for tests that run over all.
 inline std::vector<std::pair<const char*, Shape>> AllShapes() {
     std::vector<std::pair<const char*, Shape>> all{{"tet", SingleTet()},
@@ -156,7 +212,9 @@ inline std::vector<std::pair<const char*, Shape>> AllShapes() {
                                                    {"random 60%", RandomSubset(KuhnBlock(3), 60, 2)},
                                                    {"octs and tets", OctsAndTets()},
                                                    {"mixed dimensions", MixedDimensions()},
-                                                   {"octahedron surface", OctahedronSurface()}};
+                                                   {"octahedron surface", OctahedronSurface()},
+                                                   {"disc of five", Disc(5, 2)},
+                                                   {"random triangles", RandomTriangles(TriangleGrid(5), 75, 4)}};
     for (std::size_t i = 0; i < all.size(); ++i) Jitter(all[i].second, 0.05, i + 10);
     return all;
 }

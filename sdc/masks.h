@@ -68,6 +68,7 @@ enum class LoopWeights {
 /// Loop surfaces: rules for triangles and for the boundary of tet/oct solids.
 struct LoopSurface {
     static constexpr bool kVerticesStay = false;
+    static constexpr bool kIsWide = false;  ///< edges look no further than their own faces
     LoopWeights weights = LoopWeights::Loop;
 
     /// Vertex of n neighbours. Source: Loop 1987; Warren's variant: Zorin and Schroeder 2000 (rules.md section 5).
@@ -94,6 +95,7 @@ struct LoopSurface {
 /// Cubic B-spline curves: creases and curves.
 struct CubicCurve {
     static constexpr bool kVerticesStay = false;
+    static constexpr bool kIsWide = false;
     RingWeights Vertex() const { return {6.0 / 8.0, 1.0 / 8.0}; }
     double EdgeEnd() const { return 0.5; }
     RingWeights Limit() const { return {4.0 / 6.0, 1.0 / 6.0}; }
@@ -102,6 +104,7 @@ struct CubicCurve {
 /// Piecewise linear: every new point is a mean, vertices stay.
 struct LinearRule {
     static constexpr bool kVerticesStay = true;  ///< and edge points are means of the ends
+    static constexpr bool kIsWide = false;
     RingWeights Vertex(int = 0) const { return {1.0, 0.0}; }
     EdgePairWeights Edge() const { return {0.5, 0.0}; }
     double EdgeEnd() const { return 0.5; }

@@ -2,6 +2,7 @@
 // Options by name, from each scheme's own table.
 #include <solidsubdiv/sdc/schemes.h>
 
+#include <charconv>
 #include <optional>
 
 namespace SolidSubdiv::Sdc {
@@ -24,6 +25,31 @@ void SetChoice(std::string_view scheme, const OptionInfo& option, std::string_vi
                        std::string(value) + "'; one of " + std::string(option.values));
 }
 
+/// Sets `field` to a number: "0.0625" or "1/16".
+void SetNumber(std::string_view scheme, const OptionInfo& option, std::string_view value, double& field) {
+    double top = 0, bottom = 1;
+    const char* const end = value.data() + value.size();
+    auto read = std::from_chars(value.data(), end, top);
+    if (read.ec == std::errc() && read.ptr != end && *read.ptr == '/') {
+        read = std::from_chars(read.ptr + 1, end, bottom);
+    }
+    if (read.ec != std::errc() || read.ptr != end) {
+        throw InvalidInput(std::string(scheme) + ": option " + std::string(option.name) + " can't be '" +
+                           std::string(value) + "'; a number " + std::string(option.help));
+    }
+    field = top / bottom;
+}
+
+/// @throws InvalidInput unless low <= value < high, or value <= high where `closed`
+void RequireRange(std::string_view scheme, const OptionInfo& option, double value, double low, double high,
+                  bool closed) {
+    if (value >= low && (closed ? value <= high : value < high)) return;
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    throw InvalidInput(std::string(scheme) + ": " + std::string(option.name) + " is " + text + "; it must be " +
+                       std::string(option.help));
+}
+
 [[noreturn]] void UnknownOption(std::string_view scheme, std::string_view name) {
     throw InvalidInput("scheme " + std::string(scheme) + " has no option '" + std::string(name) + "'");
 }
@@ -43,7 +69,29 @@ void BoxSpline::Validate() const {
     }
 }
 
+void Interpolatory::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, tension);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, boundary);
+    UnknownOption(kName, name);
+}
+void Interpolatory::Validate() const { RequireRange(kName, kOptions[0], tension, 0, 1.0 / 8.0, false); }
+
 void LinearSolid::SetOption(std::string_view name, std::string_view) { UnknownOption(kName, name); }
+void LinearSurface::SetOption(std::string_view name, std::string_view) { UnknownOption(kName, name); }
+
+void Butterfly::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, tension);
+    UnknownOption(kName, name);
+}
+void Butterfly::Validate() const { RequireRange(kName, kOptions[0], tension, 0, 1.0 / 8.0, false); }
+
+void ModifiedButterfly::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, far_weight);
+    UnknownOption(kName, name);
+}
+void ModifiedButterfly::Validate() const {
+    RequireRange(kName, kOptions[0], far_weight, -1.0 / 16.0, 1.0 / 16.0, true);
+}
 
 void Loop::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);

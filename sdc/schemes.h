@@ -9,16 +9,21 @@
 #include <variant>
 
 #include <solidsubdiv/sdc/schemes/box_spline.h>
+#include <solidsubdiv/sdc/schemes/butterfly.h>
+#include <solidsubdiv/sdc/schemes/interpolatory.h>
 #include <solidsubdiv/sdc/schemes/linear_solid.h>
+#include <solidsubdiv/sdc/schemes/linear_surface.h>
 #include <solidsubdiv/sdc/schemes/loop.h>
 
 /// Calls macro(Type) for every scheme.
-#define SOLIDSUBDIV_FOR_EACH_SCHEME(macro) macro(BoxSpline) macro(LinearSolid) macro(Loop)
+#define SOLIDSUBDIV_FOR_EACH_SCHEME(macro)                                                                         \
+    macro(BoxSpline) macro(Interpolatory) macro(LinearSolid) macro(Loop) macro(Butterfly) macro(ModifiedButterfly) \
+        macro(LinearSurface)
 
 namespace SolidSubdiv::Sdc {
 
 /// Any scheme with its options, for programs that choose at run time: std::visit gives the static type back.
-using Scheme = std::variant<BoxSpline, LinearSolid, Loop>;
+using Scheme = std::variant<BoxSpline, Interpolatory, LinearSolid, Loop, Butterfly, ModifiedButterfly, LinearSurface>;
 
 /// Calls function(scheme) with a default-made scheme of every type in the list.
 template <class Function>

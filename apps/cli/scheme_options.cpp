@@ -108,7 +108,7 @@ std::string SchemesHelp() {
     std::string text = "Schemes:";
     Sdc::ForEachScheme([&](auto scheme) {
         std::string name(scheme.kName);
-        name.resize(std::max<std::size_t>(name.size() + 1, 16), ' ');
+        name.resize(std::max<std::size_t>(name.size() + 1, 20), ' ');
         text += "\n  " + name + std::string(scheme.kSummary);
     });
     return text;

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a table of sums of rows, in parallel; the same bits for any number of threads.
+// Makes a table of rows whose lengths show when they are made, in parallel; the same bits for any number of threads.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include <solidsubdiv/far/internal/row_sum.h>
-#include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/stencil_table.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far::Internal {
 
-/// What a thread needs. Aligned, so that no two threads share a cache line.
-struct alignas(64) Worker {
-    RowSum sum;
-    RowBuffer<double> row;
+/// Rows that follow one another while they are made. Aligned, so that no two threads share a cache line.
+template <class Real>
+struct alignas(64) RowPart {
+    Array<Index> indices;
+    Array<Real> weights;
+    Offset start = 0;  ///< of the part in the table
 };
 
-/// Makes rows a chunk at a time: row(i, worker) adds to worker.sum what row i is the sum of. Fresh memory is what this
-/// costs most, so chunks are made in waves of small buffers that are used again, and the table is reserved at once for
-/// about what a sample of the rows takes.
-template <class Real>
+/// Makes rows a chunk at a time: row(i, worker, part) appends row i to the part. Fresh memory is what this costs most,
+/// so chunks are made in waves of small buffers that are used again, and the table is reserved at once for about what a
+/// sample of the rows takes.
+template <class Real, class Worker>
 class RowMaker {
   public:
-    RowMaker(Index n, Index n_control) : n_(n), n_threads_(Sdc::ThreadCount()) {
-        rows_.n_sources = n_control;
+    /// Makes rows [0, n). @param worker what a thread works with: each gets a copy
+    RowMaker(Index n, Index n_sources, const Worker& worker) : n_(n), n_threads_(Sdc::ThreadCount()) {
+        rows_.n_sources = n_sources;
         rows_.offsets.resize(static_cast<std::size_t>(n) + 1);
         rows_.offsets[0] = 0;
-        workers_.assign(static_cast<std::size_t>(n_threads_), Worker{RowSum(n_control), {}});
+        workers_.assign(static_cast<std::size_t>(n_threads_), {worker});
         parts_.resize(static_cast<std::size_t>(kChunksAThread * n_threads_));
     }
 
@@ -53,17 +54,13 @@ class RowMaker {
 
   private:
     static constexpr Offset kChunk = 256, kChunksAThread = 16;
-    struct alignas(64) Part {
-        std::vector<Index> indices;
-        std::vector<Real> weights;
-        Offset start = 0;
-    };
+    using Part = RowPart<Real>;
 
     template <class Body>
     void ForChunks(Offset n_chunks, Body&& body) {
         Sdc::ParallelFor(n_threads_, 1, [&](Offset begin, Offset end) {
             for (Offset thread = begin; thread < end; ++thread) {
-                for (Offset c = thread; c < n_chunks; c += n_threads_) body(c, workers_[thread]);
+                for (Offset c = thread; c < n_chunks; c += n_threads_) body(c, workers_[thread].worker);
             }
         });
     }
@@ -73,8 +70,7 @@ class RowMaker {
         part.indices.clear();
         part.weights.clear();
         for (Offset i = first; i < std::min<Offset>(first + kChunk, n_); ++i) {
-            row(static_cast<Index>(i), worker);
-            worker.sum.Flush(part.indices, part.weights);
+            row(static_cast<Index>(i), worker, part);
             rows_.offsets[i + 1] = static_cast<Offset>(part.indices.size());  // within the chunk, for now
         }
     }
@@ -91,8 +87,7 @@ class RowMaker {
         Part sample;
         Offset n_rows = 0;
         for (Offset i = 0; i < n_; i += kStep, ++n_rows) {
-            row(static_cast<Index>(i), workers_[0]);
-            workers_[0].sum.Flush(sample.indices, sample.weights);
+            row(static_cast<Index>(i), workers_[0].worker, sample);
         }
         const double mean =
             static_cast<double>(sample.indices.size()) / static_cast<double>(std::max<Offset>(n_rows, 1));
@@ -103,7 +98,10 @@ class RowMaker {
 
     Offset n_, n_threads_;
     StencilRows<Real> rows_;
-    std::vector<Worker> workers_;  // one a thread
+    struct alignas(64) Slot {
+        Worker worker;
+    };
+    std::vector<Slot> workers_;  // one a thread
     std::vector<Part> parts_;
 };
 

@@ -37,7 +37,7 @@ class RowSum {
 
     /// Appends the row, indices ascending, and starts anew.
     template <class Real>
-    void Flush(std::vector<Index>& indices, std::vector<Real>& weights) {
+    void Flush(Array<Index>& indices, Array<Real>& weights) {
         std::sort(touched_.begin(), touched_.begin() + static_cast<std::ptrdiff_t>(n_touched_));
         const std::size_t at = indices.size();
         indices.insert(indices.end(), touched_.begin(), touched_.begin() + static_cast<std::ptrdiff_t>(n_touched_));

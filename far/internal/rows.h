@@ -7,40 +7,59 @@
 
 #include <cassert>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include <solidsubdiv/far/internal/interpolating_rows.h>
+#include <solidsubdiv/far/internal/row_entries.h>
+#include <solidsubdiv/far/internal/two_neighbors.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/vtr/level.h>
 
 namespace SolidSubdiv::Far::Internal {
 
-using Vtr::Level;
-using Vtr::Rule;
-using Vtr::Tag;
+/// Whether a scheme's solid rules look at two-neighbours.
+template <class Scheme>
+constexpr bool UsesTwoNeighbors() {
+    if constexpr (requires { Scheme::kTwoNeighbors; }) return Scheme::kTwoNeighbors;
+    return false;
+}
 
 template <class Scheme>
 class Rows {
   public:
     Rows(const Level& parent, const Scheme& scheme)
-        : level_(parent), scheme_(scheme), surface_(scheme.surface()), curve_(scheme.curve()) {
+        : level_(parent), scheme_(scheme), surface_(scheme.surface()), curve_(scheme.curve()), two_neighbors_(parent) {
         assert(parent.is_full);
         if constexpr (Scheme::kSolids) footprint_ = scheme.footprint();
     }
 
-    static constexpr int kOctLength = 6;
+    /// Rows whose lengths follow from counts: VertexLength, EdgeLength and OctLength are quick and exact.
+    static constexpr bool kHasLengths =
+        !(UsesTwoNeighbors<Scheme>() || decltype(std::declval<const Scheme&>().surface())::kIsWide ||
+          decltype(std::declval<const Scheme&>().curve())::kIsWide);
 
     /// Rows by child vertex, in the child's numbering (vtr/refinement.h).
     Index n_children() const { return level_.n_vertices + level_.n_edges + level_.n_octs; }
+    Index ChildOfVertex(Index v) const { return v; }
+    Index ChildOfEdge(Index e) const { return level_.n_vertices + e; }
+    Index ChildOfOct(Index o) const { return level_.n_vertices + level_.n_edges + o; }
+
     /// At least the number of entries of the row; quick.
     std::size_t MaxLength(Index child) const {
         const auto [kind, i] = Locate(child);
         switch (kind) {
             case Kind::Vertex:
                 return static_cast<std::size_t>(1 + level_.vertex_edges.Count(i) + level_.vertex_octs.Count(i));
-            case Kind::Edge:
-                return static_cast<std::size_t>(2 + level_.edge_faces.Count(i) + 2 * level_.edge_octs.Count(i));
+            case Kind::Edge: {
+                std::size_t n =
+                    static_cast<std::size_t>(2 + level_.edge_faces.Count(i) + 2 * level_.edge_octs.Count(i));
+                if constexpr (UsesTwoNeighbors<Scheme>()) n += two_neighbors_.MaxEdgeCount(i);
+                if constexpr (!kHasLengths) n = std::max(n, MaxInterpolatingLength(level_, i));
+                return n;
+            }
             default:
-                return kOctLength;
+                return UsesTwoNeighbors<Scheme>() ? kOctLength + TwoNeighbors::kMaxOctCount : kOctLength;
         }
     }
     /// Fills the row and returns its length. Room for MaxLength(child) entries is needed.
@@ -53,12 +72,11 @@ class Rows {
             case Kind::Edge:
                 return static_cast<std::size_t>(FillEdge(i, indices, weights));
             default:
-                FillOct(i, indices, weights);
-                return kOctLength;
+                return static_cast<std::size_t>(FillOct(i, indices, weights));
         }
     }
 
-    /// Number of entries of the row of the point at vertex v, on edge e.
+    /// Number of entries of the row of the point at vertex v, on edge e, in an octahedron, if kHasLengths.
     int VertexLength(Index v) const {
         int n = 1;
         VisitVertex(
@@ -71,8 +89,9 @@ class Rows {
             e, [&](Index) { ++n; }, [&](Index) { ++n; }, [](int) {});
         return n;
     }
+    static constexpr int OctLength() { return kOctLength; }
 
-    /// Fill rows of those lengths, which are returned: the parent vertex or vertices first, then neighbours.
+    /// Fill rows and return their lengths: the parent vertex or vertices first, then neighbours.
     template <class Real>
     int FillVertex(Index v, Index* indices, Real* weights) const {
         int n = 1, n_edges = 0;
@@ -94,15 +113,17 @@ class Rows {
                         self = w.self, edge = w.edge, oct = w.oct;
                     }
                     break;
-                case Rule::Surface: {
-                    const Sdc::RingWeights w = surface_.Vertex(n_edges);
-                    self = w.self, edge = w.neighbor;
+                case Rule::Surface:
+                    if constexpr (!Surface::kVerticesStay) {
+                        const Sdc::RingWeights w = surface_.Vertex(n_edges);
+                        self = w.self, edge = w.neighbor;
+                    }
                     break;
-                }
-                default: {
-                    const Sdc::RingWeights w = curve_.Vertex();
-                    self = w.self, edge = w.neighbor;
-                }
+                default:
+                    if constexpr (!Curve::kVerticesStay) {
+                        const Sdc::RingWeights w = curve_.Vertex();
+                        self = w.self, edge = w.neighbor;
+                    }
             }
         }
         weights[0] = static_cast<Real>(self);
@@ -113,6 +134,98 @@ class Rows {
 
     template <class Real>
     int FillEdge(Index e, Index* indices, Real* weights) const {
+        const Rule rule = level_.edge_tags[e].rule();
+        if constexpr (UsesTwoNeighbors<Scheme>()) {
+            if (rule == Rule::Solid) return FillTwoNeighborEdge(e, indices, weights);
+        }
+        if constexpr (Surface::kIsWide) {
+            if (rule == Rule::Surface) {
+                RowEntries<Real> row(indices, weights);
+                ButterflyRow<Real>(level_, surface_, e, row).Fill();
+                return row.size();
+            }
+        }
+        if constexpr (Curve::kIsWide) {
+            if (rule == Rule::Curve) {
+                RowEntries<Real> row(indices, weights);
+                FillFourPointRow(level_, curve_, e, row);
+                return row.size();
+            }
+        }
+        return FillNarrowEdge(e, indices, weights);
+    }
+
+    template <class Real>
+    int FillOct(Index o, Index* indices, Real* weights) const {
+        if constexpr (Scheme::kSolids) {
+            const auto v = level_.OctVertices(o);
+            std::copy(v.begin(), v.end(), indices);
+            if constexpr (UsesTwoNeighbors<Scheme>()) {
+                const int n_two = two_neighbors_.OfMajorDiagonal(o, indices + kOctLength);
+                return WeighTwoNeighbors(indices, weights, kOctLength, n_two);
+            } else {
+                const Sdc::OctWeights w = scheme_.Centre();
+                for (int i = 0; i < kOctLength; ++i) weights[i] = static_cast<Real>(i < 2 ? w.diagonal : w.equator);
+            }
+        }
+        return kOctLength;
+    }
+
+  private:
+    using Surface = decltype(std::declval<const Scheme&>().surface());
+    using Curve = decltype(std::declval<const Scheme&>().curve());
+    struct Nothing {
+        explicit Nothing(const Level&) {}
+    };
+
+    static constexpr int kOctLength = 6;
+    enum class Kind { Vertex, Edge, Oct };
+    struct Place {
+        Kind kind;
+        Index i;  ///< among the parent's components of that kind
+    };
+    Place Locate(Index child) const {
+        if (child < level_.n_vertices) return {Kind::Vertex, child};
+        child -= level_.n_vertices;
+        if (child < level_.n_edges) return {Kind::Edge, child};
+        return {Kind::Oct, child - level_.n_edges};
+    }
+
+    template <class Real>
+    int FillTwoNeighborEdge(Index e, Index* indices, Real* weights) const {
+        const auto ends = level_.EdgeVertices(e);
+        indices[0] = ends[0];
+        indices[1] = ends[1];
+        int n = 2;
+        const auto add = [&](Index v) { indices[n++] = v; };
+        VisitEdge(e, add, add, [](int) {});
+        return WeighTwoNeighbors(indices, weights, n, two_neighbors_.OfEdge(e, indices + n));
+    }
+
+    /// Weighs a row of the two ends, the one-neighbours up to n and n_two two-neighbours after them (-1: incomplete,
+    /// the middle of the ends). A two-neighbour that is a one-neighbour too is one entry. Returns the row's length.
+    template <class Real>
+    int WeighTwoNeighbors(Index* indices, Real* weights, int n, int n_two) const {
+        weights[0] = weights[1] = static_cast<Real>(0.5);
+        if (n_two < 0) return 2;
+        const Sdc::TwoNeighborWeights w = scheme_.Edge(n - 2, n_two);
+        weights[0] = weights[1] = static_cast<Real>(w.end);
+        std::fill(weights + 2, weights + n, static_cast<Real>(w.one));
+        int length = n;
+        for (int i = n; i < n + n_two; ++i) {
+            const auto at = std::find(indices, indices + n, indices[i]) - indices;
+            if (at < n) {
+                weights[at] += static_cast<Real>(w.two);
+            } else {
+                indices[length] = indices[i];
+                weights[length++] = static_cast<Real>(w.two);
+            }
+        }
+        return length;
+    }
+
+    template <class Real>
+    int FillNarrowEdge(Index e, Index* indices, Real* weights) const {
         int n = 2, n_faces = 0, n_octs = 0;
         VisitEdge(
             e,
@@ -127,51 +240,24 @@ class Rows {
         double end = 0.5, face = 0, oct = 0;
         switch (level_.edge_tags[e].rule()) {
             case Rule::Solid:
-                if constexpr (Scheme::kSolids) {
+                if constexpr (Scheme::kSolids && !UsesTwoNeighbors<Scheme>()) {
                     const Sdc::EdgeWeights w = scheme_.Edge({n_faces, n_octs, n - 2 - n_faces});
                     end = w.end, face = w.face, oct = w.oct;
                 }
                 break;
-            case Rule::Surface: {
-                const Sdc::EdgePairWeights w = surface_.Edge();
-                end = w.end, face = w.opposite;
+            case Rule::Surface:
+                if constexpr (!Surface::kIsWide) {
+                    const Sdc::EdgePairWeights w = surface_.Edge();
+                    end = w.end, face = w.opposite;
+                }
                 break;
-            }
             default:
-                end = curve_.EdgeEnd();
+                if constexpr (!Curve::kIsWide) end = curve_.EdgeEnd();
         }
         weights[0] = weights[1] = static_cast<Real>(end);
         for (int i = 2; i < 2 + n_faces; ++i) weights[i] = static_cast<Real>(face);
         for (int i = 2 + n_faces; i < n; ++i) weights[i] = static_cast<Real>(oct);
         return n;
-    }
-
-    template <class Real>
-    void FillOct(Index o, Index* indices, Real* weights) const {
-        if constexpr (Scheme::kSolids) {
-            const Sdc::OctWeights w = scheme_.Centre();
-            const auto v = level_.OctVertices(o);
-            for (int i = 0; i < kOctLength; ++i) {
-                indices[i] = v[i];
-                weights[i] = static_cast<Real>(i < 2 ? w.diagonal : w.equator);
-            }
-        }
-    }
-
-  private:
-    using Surface = decltype(std::declval<const Scheme&>().surface());
-    using Curve = decltype(std::declval<const Scheme&>().curve());
-
-    enum class Kind { Vertex, Edge, Oct };
-    struct Place {
-        Kind kind;
-        Index i;  ///< among the parent's components of that kind
-    };
-    Place Locate(Index child) const {
-        if (child < level_.n_vertices) return {Kind::Vertex, child};
-        child -= level_.n_vertices;
-        if (child < level_.n_edges) return {Kind::Edge, child};
-        return {Kind::Oct, child - level_.n_edges};
     }
 
     Index OtherEnd(Index e, Index v) const {
@@ -275,6 +361,7 @@ class Rows {
     Surface surface_;
     Curve curve_;
     Sdc::Footprint footprint_{};
+    std::conditional_t<UsesTwoNeighbors<Scheme>(), TwoNeighbors, Nothing> two_neighbors_;
 };
 
 /// One row after another, in room that is used again.

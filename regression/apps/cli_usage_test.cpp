@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program's manners: exit status, help whose examples run, errors of one line, nothing half-written.
 #include <regex>
+#include <set>
 
 #include "apps/cli_testing.h"
 
@@ -72,8 +73,10 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
     for (std::sregex_iterator it(help.begin(), help.end(), pattern), end; it != end; ++it) {
         std::istringstream choices((*it)[2].str());
         for (std::string choice; std::getline(choices, choice, '|'); ++n_choices) {
-            const std::string option = (*it)[1].str() + " " + choice;
-            const bool is_surface = choice == "loop" && (*it)[1].str() == "--scheme";
+            std::string option = (*it)[1].str() + " " + choice;
+            const std::set<std::string> surface_schemes{"loop", "butterfly", "modified-butterfly", "linear-surface"};
+            const bool is_surface = (*it)[1].str() == "--scheme" && surface_schemes.count(choice) > 0;
+            if ((*it)[1].str() == "--butterfly") option += " --scheme interpolatory";
             MustRun("refine " + std::string(is_surface ? "surface.obj" : "given.vtu") + " -o out.vtu " + option);
         }
     }

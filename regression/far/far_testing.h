@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,15 @@ inline Far::TopologyRefiner Refined(const TestShapes::Shape& s, int levels, bool
     return refiner;
 }
 
+/// Values to try of an option: all choices, two numbers.
+inline std::vector<std::string> ValuesOf(const Sdc::OptionInfo& option) {
+    if (option.values == Sdc::kNumber) return {std::string(option.initial), "0.03"};
+    std::vector<std::string> values;
+    std::istringstream choices{std::string(option.values)};
+    for (std::string value; std::getline(choices, value, '|');) values.push_back(value);
+    return values;
+}
+
 /// Every scheme with every combination of options that it accepts.
 inline std::vector<std::pair<std::string, Sdc::Scheme>> AllSchemes() {
     std::vector<std::pair<std::string, Sdc::Scheme>> all;
@@ -35,14 +45,11 @@ inline std::vector<std::pair<std::string, Sdc::Scheme>> AllSchemes() {
         for (const Sdc::OptionInfo& option : scheme.kOptions) {
             const auto before = variants;
             variants.clear();
-            std::string_view rest = option.values;
-            while (!rest.empty()) {
-                const std::size_t bar = rest.find('|');
+            for (const std::string& value : ValuesOf(option)) {
                 for (auto [name, s] : before) {
-                    s.SetOption(option.name, rest.substr(0, bar));
-                    variants.emplace_back(name + " " + std::string(rest.substr(0, bar)), s);
+                    s.SetOption(option.name, value);
+                    variants.emplace_back(name + " " + value, s);
                 }
-                rest = bar == std::string_view::npos ? std::string_view{} : rest.substr(bar + 1);
             }
         }
         for (const auto& [name, s] : variants) {

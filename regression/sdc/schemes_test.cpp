@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every scheme's weights sum to one, and its options follow its table.
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <solidsubdiv/sdc/schemes.h>
 
@@ -62,7 +65,7 @@ TEST(SchemesTest, EveryChoiceOfEveryOptionCanBeSetAndOthersAreRefused) {
         ++n_schemes;
         EXPECT_EQ(NameOf(SchemeOf(scheme.kName)), scheme.kName);
         for (const OptionInfo& option : scheme.kOptions) {
-            std::string_view rest = option.values;
+            std::string_view rest = option.values == kNumber ? option.initial : option.values;
             bool has_default = false;
             while (!rest.empty()) {
                 const std::size_t bar = rest.find('|');
@@ -89,6 +92,82 @@ TEST(SchemesTest, OptionsReachTheFieldsTheyName) {
     EXPECT_NO_THROW(std::get<BoxSpline>(s).Validate());
     SetOption(s, "loop-weights", "warren");
     EXPECT_EQ(std::get<BoxSpline>(s).surface().weights, LoopWeights::Warren);
+}
+
+TEST(SchemesTest, TensionsAreNumbersOrFractionsInTheirRange) {
+    const auto tension_of = [](const char* text) {
+        Interpolatory s;
+        s.SetOption("tension", text);
+        s.Validate();
+        return s.tension;
+    };
+    EXPECT_EQ(tension_of("1/16"), 0.0625);
+    EXPECT_EQ(tension_of("0.0625"), 0.0625);
+    EXPECT_EQ(tension_of("0"), 0);
+    EXPECT_EQ(tension_of("0.1249999"), 0.1249999);
+    for (const char* bad :
+         {"", "w", "1/", "/16", "1/16x", "1/0", "0/0", "nan", "inf", "-0.01", "0.125", "1/8", "1", "1 "})
+        EXPECT_THROW(tension_of(bad), InvalidInput) << bad;
+    Butterfly butterfly;
+    butterfly.tension = 0.125;
+    EXPECT_THROW(butterfly.Validate(), InvalidInput);
+    ModifiedButterfly modified;
+    modified.far_weight = -1.0 / 16;
+    EXPECT_NO_THROW(modified.Validate());
+    modified.far_weight = std::nextafter(1.0 / 16, 1);
+    EXPECT_THROW(modified.Validate(), InvalidInput);
+}
+
+TEST(InterpolatoryTest, WeightsSumToOneAndZeroTensionIsLinear) {
+    for (double w : {0.0, 1.0 / 32, 1.0 / 16, 0.1}) {
+        for (int n = 3; n < 12; ++n) {
+            for (int m = 1; m < 20; ++m) {
+                const TwoNeighborWeights e = Interpolatory{.tension = w}.Edge(n, m);
+                EXPECT_NEAR(2 * e.end + n * e.one + m * e.two, 1, 1e-15);
+                if (w == 0) {
+                    EXPECT_TRUE(e.end == 0.5 && e.one == 0 && e.two == 0);
+                }
+            }
+        }
+    }
+}
+
+// rules.md section 3, regular: N = 6, M = 6 and N = 4, M = 8, in 16ths.
+TEST(InterpolatoryTest, RegularWeightsAreTheRules) {
+    const Interpolatory s;
+    EXPECT_EQ(s.Edge(6, 6).end * 16, 8);
+    EXPECT_EQ(s.Edge(6, 6).one * 16, 1);
+    EXPECT_EQ(s.Edge(4, 8).end * 16, 4);
+    EXPECT_EQ(s.Edge(4, 8).one * 16, 4);
+    EXPECT_EQ(s.Edge(4, 8).two * 16, -1);
+}
+
+TEST(ButterflyTest, WeightsOfEveryRingSumToOne) {
+    for (int n = 3; n < 30; ++n) {
+        std::vector<double> ring(static_cast<std::size_t>(n));
+        double sum = ButterflySurface::ClosedRing(n, ring);
+        for (double w : ring) sum += w;
+        EXPECT_NEAR(sum, 1, 1e-14) << n;
+    }
+    for (int k = 2; k < 30; ++k) {
+        for (int i = 1; i < k; ++i) {
+            std::vector<double> ring(static_cast<std::size_t>(k) + 1), mirrored = ring;
+            double sum = ButterflySurface::OpenRing(k, i, ring);
+            for (double w : ring) sum += w;
+            EXPECT_NEAR(sum, 1, 1e-14) << k << " " << i;
+            ButterflySurface::OpenRing(k, k - i, mirrored);
+            for (int j = 0; j <= k; ++j) EXPECT_NEAR(ring[j], mirrored[k - j], 1e-15) << k << " " << i << " " << j;
+        }
+    }
+    for (double w : {0.0, 0.02, -1.0 / 16}) {
+        const ButterflyWeights b = ButterflySurface{true, w, 1}.Regular(true);
+        EXPECT_NEAR(2 * b.end + 2 * b.opposite + 4 * b.wing + 2 * b.far, 1, 1e-15);
+    }
+    const FourPointCurve curve;
+    EXPECT_EQ(curve.Edge().end, 9.0 / 16);
+    EXPECT_EQ(curve.LastEdge().last, 3.0 / 8);
+    EXPECT_EQ(curve.LastEdge().end, 6.0 / 8);
+    EXPECT_EQ(curve.LastEdge().next, -1.0 / 8);
 }
 
 }  // namespace

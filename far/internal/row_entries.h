@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A row while it is written.
+#pragma once
+
+#include <algorithm>
+
+#include <solidsubdiv/sdc/types.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+/// Takes in weights of vertices, in room that somebody else has. A vertex that comes again adds to its weight.
+template <class Real>
+class RowEntries {
+  public:
+    RowEntries(Index* indices, Real* weights) : indices_(indices), weights_(weights) {}
+
+    void Add(Index v, double weight) {
+        const auto at = std::find(indices_, indices_ + n_, v) - indices_;
+        if (at == n_) {
+            indices_[n_] = v;
+            weights_[n_++] = static_cast<Real>(weight);
+        } else {
+            weights_[at] += static_cast<Real>(weight);
+        }
+    }
+    int size() const { return static_cast<int>(n_); }
+
+  private:
+    Index* indices_;
+    Real* weights_;
+    std::ptrdiff_t n_ = 0;
+};
+
+}  // namespace SolidSubdiv::Far::Internal

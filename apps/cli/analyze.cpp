@@ -53,7 +53,9 @@ void RunAnalyze(Session& session, const AnalyzeOptions& options) {
                        Counted(matrix.size() - 1, "neighbor", "neighbors") + "\n";
     text += "  eigenvalues  " + Analysis::SpectrumText(spectrum) + "\n";
     text += "  verdict      " + verdict.text + "\n";
-    if (!limit.empty()) {
+    if (!limit.empty() && limit[0] == 1) {
+        text += "  limit mask   1: the vertex stays";
+    } else if (!limit.empty()) {
         text += "  limit mask   " + Text(limit[0]);
         for (std::size_t i = 1; i < limit.size(); ++i) text += ", " + Text(limit[i]);
     }
@@ -72,8 +74,9 @@ Work AddAnalyze(CLI::App& command) {
         "how\n"
         "smooth the limit can be there, the left eigenvector of the eigenvalue 1 is the limit mask.\n\n" +
         SchemesHelp() +
-        "\n\nExample:\n"
-        "  solidsubdiv analyze --regular --scheme box-spline --edge-rule printed-2002");
+        "\n\nExamples:\n"
+        "  solidsubdiv analyze --regular --scheme box-spline --edge-rule printed-2002\n"
+        "  solidsubdiv analyze --regular --scheme interpolatory --tension 0.1");
     return [options](Session& session) { RunAnalyze(session, *options); };
 }
 

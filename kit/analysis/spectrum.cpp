@@ -8,7 +8,29 @@
 #include <cstdio>
 #include <tuple>
 
+#include <solidsubdiv/kit/analysis/subdivision_matrix.h>
+
 namespace SolidSubdiv::Analysis {
+
+namespace {
+
+/// Takes a value and all that a chain of neighbours within the tolerance joins to it; their mean is the eigenvalue.
+Eigenvalue TakeCluster(std::vector<std::complex<double>>& values, double tolerance) {
+    std::vector<std::complex<double>> cluster{values.back()};
+    values.pop_back();
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < cluster.size(); ++i) {
+        const std::complex<double> centre = cluster[i];
+        sum += centre;
+        const auto is_far = [&](const auto& v) { return std::abs(v - centre) > tolerance; };
+        const auto near_ones = std::stable_partition(values.begin(), values.end(), is_far);
+        cluster.insert(cluster.end(), near_ones, values.end());
+        values.erase(near_ones, values.end());
+    }
+    return {sum / static_cast<double>(cluster.size()), static_cast<int>(cluster.size())};
+}
+
+}  // namespace
 
 Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance) {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -17,21 +39,13 @@ Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance) {
     if (solver.info() != Eigen::Success) throw SolverError("the eigenvalues of a local matrix did not converge");
     const auto& found = solver.eigenvalues();
     std::vector<std::complex<double>> values(found.data(), found.data() + found.size());
-    std::sort(values.begin(), values.end(), [](auto a, auto b) {
-        const auto key = [](auto z) { return std::make_tuple(-std::round(std::abs(z) * 1e6), -z.real(), -z.imag()); };
-        return key(a) < key(b);
-    });
-
     Spectrum spectrum;
-    for (const auto& value : values) {
-        const auto same = std::find_if(spectrum.begin(), spectrum.end(),
-                                       [&](const Eigenvalue& e) { return std::abs(e.value - value) <= tolerance; });
-        if (same == spectrum.end()) {
-            spectrum.push_back({value, 1});
-        } else {
-            ++same->multiplicity;
-        }
-    }
+    while (!values.empty()) spectrum.push_back(TakeCluster(values, tolerance));
+    std::sort(spectrum.begin(), spectrum.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
+        // Rounded: conjugate pairs, and 1/4 beside -1/4, must not swap by round-off.
+        const auto key = [](auto z) { return std::make_tuple(-std::round(std::abs(z) * 1e9), -z.real(), -z.imag()); };
+        return key(a.value) < key(b.value);
+    });
     return spectrum;
 }
 
@@ -45,7 +59,7 @@ Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
     }
     v.smoothness = Smoothness::C0;
     if (spectrum.size() == 1) {
-        v.text = "interpolates: the vertex stays";
+        v.text = "only the vertex itself";
         return v;
     }
     const double sub = v.subdominant = std::abs(spectrum[1].value);
@@ -56,11 +70,21 @@ Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
         v.text = text;
         return v;
     }
-    const double next = spectrum.size() > 2 ? std::abs(spectrum[2].value) : 0;
-    if (next > sub * sub + kTolerance) {
+    const double next = spectrum.size() > 2 ? std::abs(spectrum[2].value) : 0, square = sub * sub;
+    int n_next = 0;
+    for (std::size_t i = 2; i < spectrum.size(); ++i) {
+        if (std::abs(spectrum[i].value) > square - kTolerance) n_next += spectrum[i].multiplicity;
+    }
+    const int n_quadratics = dimension * (dimension + 1) / 2;
+    if (next > square + kTolerance) {
         v.smoothness = Smoothness::C1;
         std::snprintf(text, sizeof text, "C1 spectrum, not C2: subdominant %.6g, next %.6g is above its square", sub,
                       next);
+    } else if (n_next > n_quadratics) {
+        v.smoothness = Smoothness::C1;
+        std::snprintf(text, sizeof text,
+                      "C1 spectrum, not C2: subdominant %.6g, its square has multiplicity %d, quadratics only %d", sub,
+                      n_next, n_quadratics);
     } else {
         v.smoothness = Smoothness::C2;
         std::snprintf(text, sizeof text, "C2 spectrum: subdominant %.6g, next %.6g is at most its square", sub, next);
@@ -75,13 +99,13 @@ Far::LocalMatrix RegularLocalMatrix(const Sdc::Scheme& scheme) {
     const std::vector<Index> tet{0, 1, 2, 3}, triangle{0, 1, 2};
     Far::TopologyDescriptor descriptor{.n_vertices = solid ? 4 : 3};
     (solid ? descriptor.tets : descriptor.triangles) = solid ? tet : triangle;
+    constexpr int kLevel = 2;
     auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
-    refiner.RefineUniform({.max_level = 3, .full_topology_in_last_level = true});
-    const Far::Level& level = refiner.level(3);
+    refiner.RefineUniform({.max_level = kLevel + 3});
+    const Far::Level& level = refiner.level(kLevel);
     for (Index v = 0; v < level.n_vertices; ++v) {
-        const Vtr::Rule rule = level.vertex_tags[v].rule();
-        if (rule != (solid ? Vtr::Rule::Solid : Vtr::Rule::Surface)) continue;
-        if (auto m = Far::MakeLocalMatrix(level, scheme, v)) return *m;
+        if (level.vertex_tags[v].rule() != (solid ? Vtr::Rule::Solid : Vtr::Rule::Surface)) continue;
+        if (auto m = MatrixAround(refiner, kLevel, v, scheme)) return *m;
     }
     return {};
 }

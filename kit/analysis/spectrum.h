@@ -23,16 +23,17 @@ struct Eigenvalue {
 /// By descending modulus.
 using Spectrum = std::vector<Eigenvalue>;
 
-/// Eigenvalues within `tolerance` of each other are one of higher multiplicity: defective ones split by about the
-/// square root of round-off, hence the default.
-Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance = 1e-7);
+/// Eigenvalues within `tolerance` of each other are one of higher multiplicity, and their mean its value: where
+/// eigenvectors lack, QR finds k equal ones spread by the k-th root of round-off about a mean that is exact.
+Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance = 1e-4);
 
 /// What the eigenvalues of the vertex's ring allow.
 enum class Smoothness {
     Diverges,  ///< an eigenvalue of modulus 1 or more besides the single 1
     C0,        ///< the `dimension` next eigenvalues are not one real value of that multiplicity
-    C1,        ///< they are (C1 if the characteristic map is regular), the next are larger than their square
-    C2         ///< and the next are at most their square
+    C1,        ///< they are (C1 if the characteristic map is regular), but the next are larger than their square, or
+               ///< more of that size than there are quadratic functions
+    C2         ///< and the next are at most their square, as many as quadratics
 };
 
 struct Verdict {

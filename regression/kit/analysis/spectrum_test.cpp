@@ -50,6 +50,7 @@ TEST(VerdictOfTest, NamesEachCase) {
     const auto verdict = [](const Spectrum& s) { return VerdictOf(s, 2).smoothness; };
     EXPECT_EQ(verdict({{1.0, 1}, {0.5, 2}, {0.25, 3}}), Smoothness::C2);
     EXPECT_EQ(verdict({{1.0, 1}, {0.5, 2}, {0.3, 1}}), Smoothness::C1);
+    EXPECT_EQ(verdict({{1.0, 1}, {0.5, 2}, {0.25, 3}, {-0.25, 1}}), Smoothness::C1);
     EXPECT_EQ(verdict({{1.0, 1}, {0.6, 1}, {0.5, 2}}), Smoothness::C0);
     EXPECT_EQ(verdict({{1.0, 1}, {{0.3, 0.4}, 1}, {{0.3, -0.4}, 1}}), Smoothness::C0);
     EXPECT_EQ(verdict({{1.0, 2}, {0.5, 2}}), Smoothness::Diverges);

@@ -43,6 +43,7 @@ class Composer {
         : refiner_(refiner), scheme_(scheme), requests_(requests), progress_(progress) {
         for (const CompositeRows& r : requests) last_ = std::max(last_, r.level);
         levels_.resize(static_cast<std::size_t>(last_) + 1);
+        sharpness_ = SharpnessOfLevels(refiner, scheme, last_);
         levels_[0].is_whole = true;
     }
 
@@ -84,7 +85,9 @@ class Composer {
     /// Calls body with the rows of level l over level l - 1.
     template <class Body>
     void WithRows(int l, Body&& body) const {
-        std::visit([&](const auto& s) { body(Rows<std::decay_t<decltype(s)>>(refiner_.level(l - 1), s)); }, scheme_);
+        std::visit(
+            [&](const auto& s) { body(Rows<std::decay_t<decltype(s)>>(refiner_.level(l - 1), sharpness_[l - 1], s)); },
+            scheme_);
     }
 
     void Check(const CompositeRows& r) const {
@@ -191,6 +194,7 @@ class Composer {
     const Progress& progress_;
     int last_ = 0;  // the highest level named
     std::vector<PartialLevel> levels_;
+    std::vector<Sharpness> sharpness_;  // of the levels before the last
 };
 
 }  // namespace

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include <solidsubdiv/far/internal/rows.h>
+#include <solidsubdiv/far/internal/local_matrix.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
-#include <solidsubdiv/far/local_matrix.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far {
@@ -31,23 +30,27 @@ bool HasSmoothRing(const Level& level, Index v) {
 
 template <class Scheme>
 MaskRow LimitOf(const Level& level, const Scheme& scheme, const Internal::Rows<Scheme>& rows, Index v) {
+    if (rows.IsFading(v)) return {};
     MaskRow mask;
-    mask.indices.resize(static_cast<std::size_t>(rows.VertexLength(v)));
+    mask.indices.resize(rows.MaxLength(rows.ChildOfVertex(v)));
     mask.weights.resize(mask.indices.size());
-    rows.FillVertex(v, mask.indices.data(), mask.weights.data());
+    const std::size_t length = rows.Fill(rows.ChildOfVertex(v), mask.indices.data(), mask.weights.data());
+    mask.indices.resize(length);
+    mask.weights.resize(length);
     const int n = static_cast<int>(mask.indices.size()) - 1;
     const auto set = [&](const Sdc::RingWeights& w) {
         std::fill(mask.weights.begin(), mask.weights.end(), w.neighbor);
         mask.weights[0] = w.self;
     };
     if (n == 0) return mask;
-    const Vtr::Rule rule = level.vertex_tags[v].rule();
-    if (rule == Vtr::Rule::Surface && HasSmoothRing(level, v)) {
+    const bool is_sharp = rows.IsSharp(v);
+    const Vtr::Rule rule = is_sharp && n == 2 ? Vtr::Rule::Curve : level.vertex_tags[v].rule();
+    if (rule == Vtr::Rule::Surface && !is_sharp && HasSmoothRing(level, v)) {
         if constexpr (!decltype(scheme.surface())::kVerticesStay) set(scheme.surface().Limit(n));
     } else if (rule == Vtr::Rule::Curve) {
         if constexpr (!decltype(scheme.curve())::kVerticesStay) set(scheme.curve().Limit());
     } else {
-        const auto m = MakeLocalMatrix(level, scheme, v);
+        const auto m = Internal::MakeLocalMatrix(level, rows, v);
         mask.weights = m ? LimitMaskOf(*m) : std::vector<double>{};
         if (mask.weights.empty()) mask.indices.clear();
     }
@@ -55,9 +58,9 @@ MaskRow LimitOf(const Level& level, const Scheme& scheme, const Internal::Rows<S
 }
 
 template <class Scheme>
-std::vector<MaskRow> LimitsOf(const Level& level, const Scheme& scheme) {
+std::vector<MaskRow> LimitsOf(const Level& level, const Sharpness& sharpness, const Scheme& scheme) {
     constexpr Offset kGrain = 256;
-    const Internal::Rows<Scheme> rows(level, scheme);
+    const Internal::Rows<Scheme> rows(level, sharpness, scheme);
     std::vector<MaskRow> masks(level.n_vertices);
     Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
         for (Offset v = begin; v < end; ++v) masks[v] = LimitOf(level, scheme, rows, static_cast<Index>(v));
@@ -69,14 +72,15 @@ std::vector<MaskRow> LimitsOf(const Level& level, const Scheme& scheme) {
 
 LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                             const LimitStencilTableOptions& options) {
-    Internal::CheckScheme(refiner.level(0), scheme);
+    Internal::CheckScheme(refiner, scheme);
     const int l = options.level < 0 ? refiner.max_level() : options.level;
     if (l > refiner.max_level() || !refiner.level(l).is_full) {
         throw InvalidInput("limits at level " + std::to_string(l) +
                            " need its full topology: refine with full_topology_in_last_level");
     }
     const Level& level = refiner.level(l);
-    const std::vector<MaskRow> masks = std::visit([&](const auto& s) { return LimitsOf(level, s); }, scheme);
+    const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, l + 1).back();
+    const std::vector<MaskRow> masks = std::visit([&](const auto& s) { return LimitsOf(level, sharpness, s); }, scheme);
 
     LimitStencilTable table;
     table.rows_.n_sources = level.n_vertices;

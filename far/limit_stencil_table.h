@@ -28,7 +28,8 @@ class LimitStencilTable {
     /// Row v: the limit of vertex v. Columns: the vertices of the level.
     const StencilRows<double>& rows() const { return rows_; }
 
-    /// Vertices whose limit does not exist (powers of their local matrix do not settle): their rows are empty.
+    /// Vertices without a row: powers of their local matrix do not settle, or creases there have yet to fade (refine as
+    /// often as the sharpest of them says).
     const std::vector<Index>& without_limit() const { return without_limit_; }
 
   private:

@@ -17,8 +17,9 @@ namespace {
 constexpr Offset kGrain = 2048;
 
 template <class Real, class Scheme>
-void InterpolateLevel(const Level& parent, const Scheme& scheme, const Real* source, Real* destination, int width) {
-    const Internal::Rows<Scheme> rows(parent, scheme);
+void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Scheme& scheme, const Real* source,
+                      Real* destination, int width) {
+    const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
     Sdc::ParallelFor(rows.n_children(), kGrain, [&](Offset begin, Offset end) {
         Internal::RowBuffer<Real> row;
         std::vector<Real> sum(static_cast<std::size_t>(width));
@@ -38,7 +39,7 @@ void InterpolateLevel(const Level& parent, const Scheme& scheme, const Real* sou
 
 PrimvarRefiner::PrimvarRefiner(const TopologyRefiner& refiner, const Sdc::Scheme& scheme)
     : refiner_(refiner), scheme_(scheme) {
-    Internal::CheckScheme(refiner.level(0), scheme);
+    Internal::CheckScheme(refiner, scheme);
 }
 
 template <class Real>
@@ -57,8 +58,10 @@ void PrimvarRefiner::Interpolate(int level, std::span<const Real> source, std::s
     };
     require(source.size(), parent.n_vertices, "the source");
     require(destination.size(), refiner_.level(level).n_vertices, "the destination");
-    std::visit([&](const auto& s) { InterpolateLevel<Real>(parent, s, source.data(), destination.data(), width); },
-               scheme_);
+    const Sharpness sharpness = Internal::SharpnessOfLevels(refiner_, scheme_, level).back();
+    std::visit(
+        [&](const auto& s) { InterpolateLevel<Real>(parent, sharpness, s, source.data(), destination.data(), width); },
+        scheme_);
 }
 
 template void PrimvarRefiner::Interpolate(int, std::span<const double>, std::span<double>, int) const;

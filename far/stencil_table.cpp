@@ -60,8 +60,8 @@ StencilRows<Real> MakeCountedRows(const Level& parent, const Internal::Rows<Sche
 }
 
 template <class Real, class Scheme>
-StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
-    const Internal::Rows<Scheme> rows(parent, scheme);
+StencilRows<Real> MakeRows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme) {
+    const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
     if constexpr (Internal::Rows<Scheme>::kHasLengths) return MakeCountedRows<Real>(parent, rows);
     struct Nothing {};
     return Internal::RowMaker<Real, Nothing>(rows.n_children(), parent.n_vertices, {})
@@ -80,7 +80,7 @@ StencilRows<Real> MakeRows(const Level& parent, const Scheme& scheme) {
 template <class Real>
 StencilTableReal<Real> StencilTableReal<Real>::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                                       const StencilTableOptions& options) {
-    Internal::CheckScheme(refiner.level(0), scheme);
+    Internal::CheckScheme(refiner, scheme);
     const int max_level = options.max_level < 0 ? refiner.max_level() : options.max_level;
     if (max_level > refiner.max_level()) {
         throw InvalidInput("stencils of level " + std::to_string(max_level) +
@@ -88,10 +88,11 @@ StencilTableReal<Real> StencilTableReal<Real>::Create(const TopologyRefiner& ref
     }
     StencilTableReal table;
     table.n_control_vertices_ = refiner.level(0).n_vertices;
+    const std::vector<Sharpness> sharpness = Internal::SharpnessOfLevels(refiner, scheme, max_level);
     for (int i = 1; i <= max_level; ++i) {
         Report(options.progress, "stencils", static_cast<double>(i - 1) / max_level);
-        table.levels_.push_back(
-            std::visit([&](const auto& s) { return MakeRows<Real>(refiner.level(i - 1), s); }, scheme));
+        table.levels_.push_back(std::visit(
+            [&](const auto& s) { return MakeRows<Real>(refiner.level(i - 1), sharpness[i - 1], s); }, scheme));
     }
     Report(options.progress, "stencils", 1.0);
     return table;
@@ -102,7 +103,7 @@ StencilTableReal<Real> StencilTableReal<Real>::CreateComposite(const TopologyRef
                                                                const Sdc::Scheme& scheme,
                                                                std::span<const CompositeRows> requests,
                                                                const Progress& progress) {
-    Internal::CheckScheme(refiner.level(0), scheme);
+    Internal::CheckScheme(refiner, scheme);
     for (const CompositeRows& r : requests) {
         if (r.level < 0 || r.level > refiner.max_level()) {
             throw InvalidInput("composite rows of level " + std::to_string(r.level) +

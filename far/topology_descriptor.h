@@ -42,6 +42,13 @@ struct TopologyDescriptor {
     std::span<const Index> polygon_vertices{};
 
     std::span<const Index> edges{};  ///< (n, 2)
+
+    /// Sharp edges and vertices of surfaces and of the boundary of solids; how many levels each stays sharp, 10 and
+    /// more for ever (sdc/creases.h). Of one that is given twice the larger sharpness counts.
+    std::span<const Index> crease_edges{};      ///< (n, 2): ends
+    std::span<const float> crease_sharpness{};  ///< (n)
+    std::span<const Index> corner_vertices{};   ///< (n)
+    std::span<const float> corner_sharpness{};  ///< (n)
 };
 
 /// What may be wrong with a mesh. Those marked fatal make it unusable; the others are followed by rule and reported.
@@ -50,13 +57,15 @@ enum class DefectCode {
     RepeatedVertex,     ///< fatal: an element names a vertex twice
     DuplicateElement,   ///< fatal: two elements of one kind have the same vertices
     FaceInThreeCells,   ///< fatal: a face bounds more than two cells
+    BadSharpness,       ///< fatal: a sharpness is negative or not a number
     BadOffsets,         ///< fatal: an offset array or an array's length does not fit its kind
     InvertedCell,       ///< a cell whose orientation disagrees with its neighbour's
     NonManifoldEdge,    ///< an edge with a number of surface faces other than 0, 1 or 2, or in cells that do not form a
                         ///< fan
     NonManifoldVertex,  ///< a vertex around which the complex is neither a ball, a half ball nor a surface or curve
     IsolatedVertex,     ///< a vertex in no element
-    CoincidentElement   ///< a lower-dimensional element on a part of a higher one: a tag
+    CoincidentElement,  ///< a lower-dimensional element on a part of a higher one: a tag
+    UnusedSharpness     ///< a crease that is no edge of a surface, and is ignored
 };
 
 /// One imperfection: what, where, how much. `element` counts within the kind that the code speaks of.

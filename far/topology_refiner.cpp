@@ -10,6 +10,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/check.h>
+#include <solidsubdiv/far/internal/sharpness.h>
 
 namespace SolidSubdiv::Far {
 
@@ -75,6 +76,7 @@ TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sd
         Vtr::BaseFindings findings;
         refiner.levels_.push_back(Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings));
         Internal::AddFindings(refiner.levels_[0], findings, defects);
+        if (findings.IsUsable()) refiner.sharpness_ = Internal::TakeSharpness(descriptor, refiner.levels_[0], defects);
     }
     refiner.defects_ = defects.TakeFatalFirst();
     if (defects.has_fatal()) throw InvalidInput(refiner.defects_.front().text);

@@ -33,6 +33,15 @@ struct UniformRefinementOptions {
     void Validate() const;
 };
 
+/// Sharpness of a level's edges and vertices; both empty where nothing is sharp. Edges that end a surface anyway
+/// (borders, seams) have none of their own.
+struct Sharpness {
+    Array<float> edges;     ///< (n_edges) or empty
+    Array<float> vertices;  ///< (n_vertices) or empty
+
+    bool empty() const { return edges.empty(); }
+};
+
 class TopologyRefiner {
   public:
     /// Finds edges, faces and tags of level 0. @throws InvalidInput on the first fatal defect, on elements of kinds
@@ -50,6 +59,9 @@ class TopologyRefiner {
     /// Counts that a level has or would have, refined or not. @throws InvalidInput where 64 bits don't hold them
     Vtr::Counts CountsAt(int level) const;
 
+    /// Of level 0. What later levels have is the scheme's business: see Creases (far/creases.h).
+    const Sharpness& sharpness() const { return sharpness_; }
+
     /// What is imperfect in the mesh but followed by rule; see Validate.
     const std::vector<Defect>& defects() const { return defects_; }
 
@@ -62,6 +74,7 @@ class TopologyRefiner {
     Sdc::Split split_ = Sdc::Split::TetOct;
     std::vector<Level> levels_;
     std::vector<Defect> defects_;
+    Sharpness sharpness_;
 };
 
 /// A size in bytes for people: "3.2 GiB".

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/check.h>
+#include <solidsubdiv/far/internal/sharpness.h>
 #include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Far {
@@ -95,6 +96,19 @@ class KindCheck {
     DefectList& defects_;
 };
 
+void CheckSharpness(const char* name, std::span<const float> sharpness, std::size_t n, DefectList& defects) {
+    if (sharpness.size() != n) {
+        defects.Add(DefectCode::BadOffsets, kNoIndex, static_cast<double>(sharpness.size()),
+                    std::to_string(n) + " " + name + "s have " + std::to_string(sharpness.size()) + " sharpnesses");
+    }
+    for (std::size_t i = 0; i < sharpness.size(); ++i) {
+        if (sharpness[i] >= 0) continue;
+        defects.Add(DefectCode::BadSharpness, static_cast<Offset>(i), sharpness[i],
+                    Name(name, static_cast<Offset>(i)) + " has the sharpness " + std::to_string(sharpness[i]) +
+                        "; it must be 0 or more");
+    }
+}
+
 }  // namespace
 
 void CheckElements(const TopologyDescriptor& d, DefectList& defects) {
@@ -106,6 +120,12 @@ void CheckElements(const TopologyDescriptor& d, DefectList& defects) {
     const KindCheck triangles("triangle", d.triangles, 3, d.n_vertices, defects),
         edges("edge", d.edges, 2, d.n_vertices, defects);
     for (const KindCheck* kind : {&tets, &octs, &triangles, &edges}) kind->Indices();
+    const KindCheck creases("crease", d.crease_edges, 2, d.n_vertices, defects),
+        corners("corner", d.corner_vertices, 1, d.n_vertices, defects);
+    creases.Indices();
+    corners.Indices();
+    CheckSharpness("crease", d.crease_sharpness, d.crease_edges.size() / 2, defects);
+    CheckSharpness("corner", d.corner_sharpness, d.corner_vertices.size(), defects);
     if (defects.has_fatal()) return;
     tets.Duplicates<4>();
     octs.Duplicates<6>();
@@ -193,6 +213,7 @@ std::vector<Defect> Validate(const TopologyDescriptor& descriptor, Index max_per
         Vtr::BaseFindings findings;
         const Vtr::Level level = Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings);
         Internal::AddFindings(level, findings, defects);
+        if (findings.IsUsable()) Internal::TakeSharpness(descriptor, level, defects);
     }
     return defects.TakeFatalFirst();
 }

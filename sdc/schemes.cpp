@@ -95,6 +95,8 @@ void ModifiedButterfly::Validate() const {
 
 void Loop::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, features);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, creasing);
     UnknownOption(kName, name);
 }
 

@@ -39,6 +39,8 @@ std::string NameOf(Far::DefectCode code) {
             return "duplicate element";
         case Far::DefectCode::FaceInThreeCells:
             return "face in three cells";
+        case Far::DefectCode::BadSharpness:
+            return "bad sharpness";
         case Far::DefectCode::BadOffsets:
             return "bad offsets";
         case Far::DefectCode::InvertedCell:
@@ -51,6 +53,8 @@ std::string NameOf(Far::DefectCode code) {
             return "isolated vertex";
         case Far::DefectCode::CoincidentElement:
             return "coincident element";
+        case Far::DefectCode::UnusedSharpness:
+            return "crease without an edge";
     }
     return "defect";
 }

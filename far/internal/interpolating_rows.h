@@ -18,12 +18,13 @@ inline std::size_t MaxInterpolatingLength(const Level& level, Index e) {
     return static_cast<std::size_t>(level.vertex_edges.Count(ends[0]) + level.vertex_edges.Count(ends[1]) + 10);
 }
 
-/// Source: rules.md section 6. @pre e follows the surface rule
+/// Source: rules.md section 6. @pre e follows the surface rule and is no crease
 template <class Real>
 class ButterflyRow {
   public:
-    ButterflyRow(const Level& level, const Sdc::ButterflySurface& rule, Index e, RowEntries<Real>& row)
-        : level_(level), walk_(level), rule_(rule), row_(row), e_(e) {
+    ButterflyRow(const Level& level, const SharpRules& sharp, const Sdc::ButterflySurface& rule, Index e,
+                 RowEntries<Real>& row)
+        : level_(level), walk_(level, sharp), rule_(rule), row_(row), e_(e) {
         const auto ends = level.EdgeVertices(e);
         ends_ = {ends[0], ends[1]};
     }
@@ -114,10 +115,11 @@ class ButterflyRow {
     std::array<Index, 2> ends_;
 };
 
-/// The 4-point rule; at a curve's end the three points nearest. @pre e follows the curve rule
+/// The 4-point rule; at a curve's end the three points nearest. @pre e follows the curve rule or is a crease
 template <class Real>
-void FillFourPointRow(const Level& level, const Sdc::FourPointCurve& rule, Index e, RowEntries<Real>& row) {
-    const SurfaceWalk walk(level);
+void FillFourPointRow(const Level& level, const SharpRules& sharp, const Sdc::FourPointCurve& rule, Index e,
+                      RowEntries<Real>& row) {
+    const SurfaceWalk walk(level, sharp);
     const auto ends = level.EdgeVertices(e);
     const std::array<Index, 2> next{walk.NextOnCurve(e, ends[0]), walk.NextOnCurve(e, ends[1])};
     const bool goes_on[2] = {next[0] != kNoIndex, next[1] != kNoIndex};

@@ -28,8 +28,15 @@ constexpr bool UsesTwoNeighbors() {
 template <class Scheme>
 class Rows {
   public:
-    Rows(const Level& parent, const Scheme& scheme)
-        : level_(parent), scheme_(scheme), surface_(scheme.surface()), curve_(scheme.curve()), two_neighbors_(parent) {
+    /// @param sharpness the parent's
+    Rows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme)
+        : level_(parent),
+          sharpness_(sharpness),
+          sharp_(parent, sharpness, CreaseOptionsOf(scheme).method),
+          scheme_(scheme),
+          surface_(scheme.surface()),
+          curve_(scheme.curve()),
+          two_neighbors_(parent) {
         assert(parent.is_full);
         if constexpr (Scheme::kSolids) footprint_ = scheme.footprint();
     }
@@ -44,6 +51,10 @@ class Rows {
     Index ChildOfVertex(Index v) const { return v; }
     Index ChildOfEdge(Index e) const { return level_.n_vertices + e; }
     Index ChildOfOct(Index o) const { return level_.n_vertices + level_.n_edges + o; }
+
+    /// Whether sharp edges or its own sharpness change a vertex's rule, and whether that will fade.
+    bool IsSharp(Index v) const { return sharp_.ChangesVertex(v); }
+    bool IsFading(Index v) const { return sharp_.IsFading(v); }
 
     /// At least the number of entries of the row; quick.
     std::size_t MaxLength(Index child) const {
@@ -78,12 +89,14 @@ class Rows {
 
     /// Number of entries of the row of the point at vertex v, on edge e, in an octahedron, if kHasLengths.
     int VertexLength(Index v) const {
+        if (sharp_.ChangesVertex(v)) return LengthOf(ChildOfVertex(v));
         int n = 1;
         VisitVertex(
             v, [&](Index) { ++n; }, [&](Index) { ++n; });
         return n;
     }
     int EdgeLength(Index e) const {
+        if (sharp_.ChangesEdge(e)) return LengthOf(ChildOfEdge(e));
         int n = 2;
         VisitEdge(
             e, [&](Index) { ++n; }, [&](Index) { ++n; }, [](int) {});
@@ -94,6 +107,7 @@ class Rows {
     /// Fill rows and return their lengths: the parent vertex or vertices first, then neighbours.
     template <class Real>
     int FillVertex(Index v, Index* indices, Real* weights) const {
+        if (sharp_.ChangesVertex(v)) return FillSharpVertex(v, indices, weights);
         int n = 1, n_edges = 0;
         VisitVertex(
             v,
@@ -134,25 +148,26 @@ class Rows {
 
     template <class Real>
     int FillEdge(Index e, Index* indices, Real* weights) const {
-        const Rule rule = level_.edge_tags[e].rule();
+        const bool is_sharp = sharp_.ChangesEdge(e);
+        const Rule rule = is_sharp ? Rule::Curve : level_.edge_tags[e].rule();
         if constexpr (UsesTwoNeighbors<Scheme>()) {
             if (rule == Rule::Solid) return FillTwoNeighborEdge(e, indices, weights);
         }
         if constexpr (Surface::kIsWide) {
             if (rule == Rule::Surface) {
                 RowEntries<Real> row(indices, weights);
-                ButterflyRow<Real>(level_, surface_, e, row).Fill();
+                ButterflyRow<Real>(level_, sharp_, surface_, e, row).Fill();
                 return row.size();
             }
         }
         if constexpr (Curve::kIsWide) {
             if (rule == Rule::Curve) {
                 RowEntries<Real> row(indices, weights);
-                FillFourPointRow(level_, curve_, e, row);
+                FillFourPointRow(level_, sharp_, curve_, e, row);
                 return row.size();
             }
         }
-        return FillNarrowEdge(e, indices, weights);
+        return is_sharp ? FillSharpEdge(e, indices, weights) : FillNarrowEdge(e, indices, weights);
     }
 
     template <class Real>
@@ -222,6 +237,62 @@ class Rows {
             }
         }
         return length;
+    }
+
+    /// Length of a row that must be made to be counted.
+    int LengthOf(Index child) const {
+        std::vector<Index> indices(MaxLength(child));
+        std::vector<double> weights(indices.size());
+        return static_cast<int>(Fill(child, indices.data(), weights.data()));
+    }
+
+    /// A blend of the rules of this level and of the next.
+    template <class Real>
+    int FillSharpVertex(Index v, Index* indices, Real* weights) const {
+        RowEntries<Real> row(indices, weights);
+        if constexpr (Surface::kVerticesStay || Curve::kVerticesStay) {
+            row.Add(v, 1);
+        } else {
+            for (const SharpRules::Part& part : sharp_.VertexParts(v)) {
+                if (part.share == 0) continue;
+                switch (part.rule) {
+                    case Sdc::SharpRule::Corner:
+                        row.Add(v, part.share);
+                        break;
+                    case Sdc::SharpRule::Crease: {
+                        const Sdc::RingWeights w = curve_.Vertex();
+                        row.Add(v, part.share * w.self);
+                        for (Index e : part.crease) row.Add(OtherEnd(e, v), part.share * w.neighbor);
+                        break;
+                    }
+                    default: {
+                        int n = 0;
+                        ForSurfaceEdges(level_, sharpness_, v, [&](Index, float) { ++n; });
+                        const Sdc::RingWeights w = surface_.Vertex(n);
+                        row.Add(v, part.share * w.self);
+                        ForSurfaceEdges(level_, sharpness_, v,
+                                        [&](Index e, float) { row.Add(OtherEnd(e, v), part.share * w.neighbor); });
+                    }
+                }
+            }
+        }
+        return row.size();
+    }
+
+    template <class Real>
+    int FillSharpEdge(Index e, Index* indices, Real* weights) const {
+        RowEntries<Real> row(indices, weights);
+        if constexpr (!Surface::kIsWide && !Curve::kIsWide) {
+            const double crease = sharp_.CreaseShare(e), smooth = 1 - crease;
+            const Sdc::EdgePairWeights w = surface_.Edge();
+            for (Index end : level_.EdgeVertices(e)) row.Add(end, crease * curve_.EdgeEnd() + smooth * w.end);
+            if (smooth * w.opposite != 0) {
+                for (Index f : level_.edge_faces[e]) {
+                    if (level_.face_tags[f].is_boundary()) row.Add(level_.ThirdVertex(f, e), smooth * w.opposite);
+                }
+            }
+        }
+        return row.size();
     }
 
     template <class Real>
@@ -357,6 +428,8 @@ class Rows {
     }
 
     const Level& level_;
+    const Sharpness& sharpness_;
+    const SharpRules sharp_;
     const Scheme& scheme_;
     Surface surface_;
     Curve curve_;

@@ -2,12 +2,13 @@
 // Steps on the surfaces of a complex: from face to face across edges, around a vertex, and along curves.
 //
 // A surface is made of boundary faces and of triangles in no cell. It goes on across edges of the surface rule, which
-// have two such faces; edges of the curve rule (borders, creases, seams) end it.
+// have two such faces; edges of the curve rule (borders, seams) and infinitely sharp ones (creases) end it.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include <solidsubdiv/far/internal/sharpness.h>
 #include <solidsubdiv/vtr/level.h>
 
 namespace SolidSubdiv::Far::Internal {
@@ -27,7 +28,7 @@ struct Fan {
 
 class SurfaceWalk {
   public:
-    explicit SurfaceWalk(const Level& level) : level_(level) {}
+    SurfaceWalk(const Level& level, const SharpRules& sharp) : level_(level), sharp_(sharp) {}
 
     struct Faces {
         Index first, second;
@@ -40,7 +41,7 @@ class SurfaceWalk {
         }
         return faces;
     }
-    bool EndsSurface(Index e) const { return level_.edge_tags[e].rule() != Rule::Surface; }
+    bool EndsSurface(Index e) const { return level_.edge_tags[e].rule() != Rule::Surface || sharp_.IsCrease(e); }
     Index Across(Index e, Index f) const {
         const Faces faces = FacesAt(e);
         return faces.first == f ? faces.second : faces.first;
@@ -54,7 +55,7 @@ class SurfaceWalk {
     /// Whether v lies inside a surface, with six triangles around it: the usual case, found without a walk.
     bool IsRegularInside(Index v) const {
         const Tag tag = level_.vertex_tags[v];
-        if (tag.rule() != Rule::Surface || tag.non_manifold()) return false;
+        if (tag.rule() != Rule::Surface || tag.non_manifold() || sharp_.ChangesVertex(v)) return false;
         if (!tag.in_cell()) return level_.vertex_edges.Count(v) == 6;
         int n = 0;
         for (Index e : level_.vertex_edges[v]) n += level_.edge_tags[e].rule() == Rule::Surface;
@@ -89,12 +90,13 @@ class SurfaceWalk {
     /// The vertex after v on the curve that edge e belongs to, or kNoIndex where the curve ends in v.
     Index NextOnCurve(Index e, Index v) const {
         constexpr int kPart = Tag::kInCell | Tag::kInFace;
-        if (level_.vertex_tags[v].rule() == Rule::Corner) return kNoIndex;
+        if (level_.vertex_tags[v].rule() == Rule::Corner || sharp_.IsCorner(v)) return kNoIndex;
         const Tag mine = level_.edge_tags[e];
         Index next = kNoIndex;
         for (Index other : level_.vertex_edges[v]) {
             const Tag tag = level_.edge_tags[other];
-            if (other == e || tag.rule() != Rule::Curve || (tag.bits & kPart) != (mine.bits & kPart)) continue;
+            const bool is_on_curve = tag.rule() == Rule::Curve || sharp_.IsCrease(other);
+            if (other == e || !is_on_curve || (tag.bits & kPart) != (mine.bits & kPart)) continue;
             if (next != kNoIndex) return kNoIndex;
             next = OtherEnd(other, v);
         }
@@ -121,6 +123,7 @@ class SurfaceWalk {
     }
 
     const Level& level_;
+    const SharpRules& sharp_;
 };
 
 }  // namespace SolidSubdiv::Far::Internal

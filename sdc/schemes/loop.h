@@ -7,25 +7,37 @@
 #include <array>
 #include <string_view>
 
+#include <solidsubdiv/sdc/creases.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/options.h>
 
 namespace SolidSubdiv::Sdc {
 
+/// What becomes of an open surface's vertices that are in one triangle.
+enum class Features {
+    Smooth,  ///< the border runs through them (OpenSubdiv: EDGE_ONLY)
+    Sharp    ///< they are corners (EDGE_AND_CORNER)
+};
+
 struct Loop {
     LoopWeights loop_weights = LoopWeights::Loop;
+    Features features = Features::Smooth;
+    CreasingMethod creasing = CreasingMethod::Uniform;
 
     static constexpr std::string_view kName = "loop";
     static constexpr std::string_view kSummary = "approximating triangle surfaces: C2 quartic box splines";
     static constexpr bool kSolids = false;
-    static constexpr std::array<OptionInfo, 1> kOptions{
-        {{"loop-weights", "", "loop|warren", "loop", "weights of vertices"}}};
+    static constexpr std::array<OptionInfo, 3> kOptions{
+        {{"loop-weights", "", "loop|warren", "loop", "weights of vertices"},
+         {"features", "", "smooth|sharp", "smooth", "sharp: vertices in one triangle of an open surface stay"},
+         {"creasing", "", "uniform|chaikin", "uniform", "how semi-sharp creases pass their sharpness on"}}};
 
     void SetOption(std::string_view name, std::string_view value);
     void Validate() const {}
 
     LoopSurface surface() const { return {loop_weights}; }
     CubicCurve curve() const { return {}; }
+    CreaseOptions creases() const { return {creasing, features == Features::Sharp}; }
 };
 
 }  // namespace SolidSubdiv::Sdc

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sharpness of one level's edges and vertices, and what it makes of rules.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <solidsubdiv/far/internal/check.h>
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/sdc/creases.h>
+#include <solidsubdiv/sdc/schemes.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+/// The descriptor's creases and corners on the edges and vertices of level 0; what is on no surface is a defect.
+/// @pre indices and sharpnesses are in range
+Sharpness TakeSharpness(const TopologyDescriptor& descriptor, const Level& level, DefectList& defects);
+
+/// Calls body(e, sharpness) for the edges of the surface at v: those that end it are infinitely sharp.
+template <class Body>
+void ForSurfaceEdges(const Level& level, const Sharpness& sharpness, Index v, Body&& body) {
+    const bool in_cell = level.vertex_tags[v].in_cell();
+    for (Index e : level.vertex_edges[v]) {
+        const Vtr::Tag tag = level.edge_tags[e];
+        if (!tag.in_face() || tag.in_cell() != in_cell || tag.rule() == Vtr::Rule::Solid) continue;
+        body(e, tag.rule() == Vtr::Rule::Surface ? sharpness.edges[e] : Sdc::kInfinitelySharp);
+    }
+}
+
+/// Sharpness of the half at v of edge e. @pre !sharpness.empty()
+float ChildSharpness(const Level& level, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e, Index v);
+
+/// A scheme's options for creases; those without any take them as they are.
+template <class Scheme>
+Sdc::CreaseOptions CreaseOptionsOf(const Scheme& scheme) {
+    if constexpr (requires { scheme.creases(); }) return scheme.creases();
+    return {};
+}
+
+/// Sharpness of the levels 0 to n_levels - 1 under a scheme.
+std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int n_levels);
+
+/// Rows of surface vertices and edges that sharpness changes: shares of two rules, the level's and its child's.
+class SharpRules {
+  public:
+    SharpRules(const Level& level, const Sharpness& sharpness, Sdc::CreasingMethod method)
+        : level_(level), sharpness_(sharpness), method_(method) {}
+
+    bool ChangesEdge(Index e) const {
+        return !sharpness_.empty() && Sdc::IsSharp(sharpness_.edges[e]) &&
+               level_.edge_tags[e].rule() == Vtr::Rule::Surface;
+    }
+    /// Whether an edge ends the surface on both sides, for ever.
+    bool IsCrease(Index e) const { return ChangesEdge(e) && Sdc::IsInfinitelySharp(sharpness_.edges[e]); }
+    bool IsCorner(Index v) const { return !sharpness_.empty() && Sdc::IsSharp(sharpness_.vertices[v]); }
+
+    /// How much of a new point on a sharp edge follows the crease rule; the rest is smooth.
+    double CreaseShare(Index e) const;
+
+    bool ChangesVertex(Index v) const { return !sharpness_.empty() && HasSharpEdgeOrIsSharp(v); }
+    /// Whether the vertex or an edge at it is sharp, but not for ever.
+    bool IsFading(Index v) const;
+
+    struct Part {
+        Sdc::SharpRule rule = Sdc::SharpRule::Smooth;
+        double share = 0;
+        std::array<Index, 2> crease{kNoIndex, kNoIndex};  ///< its edges, of a crease
+    };
+    /// A vertex's rule and its child's; both the same: one share is 0.
+    std::array<Part, 2> VertexParts(Index v) const;
+
+  private:
+    bool HasSharpEdgeOrIsSharp(Index v) const;
+
+    const Level& level_;
+    const Sharpness& sharpness_;
+    Sdc::CreasingMethod method_;
+};
+
+}  // namespace SolidSubdiv::Far::Internal

@@ -7,13 +7,17 @@
 // What each format holds; the rest of a mesh is refused (elements, by name) or left out (attributes, see
 // AttributesLeftOut):
 //
-//     .vtu .vtk     everything; octahedra as polyhedra or cut
+//     .vtu .vtk     everything but scheme options; octahedra as polyhedra or cut
 //     .msh          all but polyhedra and polygons; every attribute, `physical` and `elementary` as the elements' tags
-//     .mesh         the same but single vertices; one integer attribute: `reference`, else `physical`
+//     .mesh         the same, single vertices only as corners; one integer attribute: `reference`, else `physical`;
+//                   infinite `sharpness` as Ridges and Corners
 //     .node .ele    tets; every attribute, their names in a comment that TetGen skips; `marker` as boundary marker
 //     .ply          faces and edges; every attribute
-//     .obj          faces, edges, single vertices; the point attribute `color`
+//     .obj          faces, edges, single vertices; the point attribute `color`; the `sharpness` of edges and single
+//                   vertices and the scheme options as OpenSubdiv's tags
 //     .stl          triangles
+//
+// Creases and corners are edges and single vertices with cell data `sharpness` (creases.h).
 #pragma once
 
 #include <filesystem>

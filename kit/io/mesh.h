@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <solidsubdiv/far/topology_descriptor.h>
@@ -79,8 +80,13 @@ struct Mesh {
 
     std::vector<Attribute> point_data;  ///< rows = vertices; refined like positions
     /// Rows = elements, in the order of Topology's arrays: tets, octs, hexes, wedges, pyramids, polyhedra, triangles,
-    /// quads, polygons, edges, vertices (elements of one kind keep the file's order).
+    /// quads, polygons, edges, vertices (elements of one kind keep the file's order). `sharpness` makes edges and
+    /// vertices creases and corners, see creases.h.
     std::vector<Attribute> cell_data;
+
+    /// Options of the scheme that the file asks for, as (name, value), a name at most once: ("boundary", "none",
+    /// "edge-only" or "edge-and-corner"), ("creasing", "uniform" or "chaikin"). Only OBJ files carry them.
+    std::vector<std::pair<std::string, std::string>> scheme_options{};
 
     std::vector<std::string> notes;  ///< what the reader did that the user should know, a line each
 

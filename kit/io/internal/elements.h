@@ -47,6 +47,9 @@ inline constexpr std::array<ElementKindInfo, kElementKinds> kElementInfo = {{{"t
 
 inline const ElementKindInfo& InfoOf(ElementKind kind) { return kElementInfo[static_cast<std::size_t>(kind)]; }
 
+/// Whether cell data `sharpness` makes it a crease or corner.
+inline bool CanBeSharp(ElementKind kind) { return kind == ElementKind::Edge || kind == ElementKind::Vertex; }
+
 inline constexpr std::array<ElementKind, kElementKinds> kAllElementKinds = {
     ElementKind::Tet,     ElementKind::Oct,        ElementKind::Hex,      ElementKind::Wedge,
     ElementKind::Pyramid, ElementKind::Polyhedron, ElementKind::Triangle, ElementKind::Quad,

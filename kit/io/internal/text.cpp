@@ -68,6 +68,8 @@ std::string_view TextCursor::PeekWord() {
     return {at_, static_cast<std::size_t>(word_end - at_)};
 }
 
+bool TextCursor::AtComment(char mark) { return !SkipSpace() || *at_ == mark; }
+
 double TextCursor::Real(std::string_view what) {
     SkipSpace();
     const char* first = at_ + (at_ != end_ && *at_ == '+');

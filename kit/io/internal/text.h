@@ -40,6 +40,8 @@ class TextCursor {
     /// The next word, empty at the end.
     std::string_view Word();
     std::string_view PeekWord();
+    /// Whether nothing follows, or a word that starts with the mark of a comment.
+    bool AtComment(char mark = '#');
     double Real(std::string_view what);
     std::int64_t Integer(std::string_view what);
     /// A number of things to come, each of which takes at least min_bytes of the file: a count that the file's size

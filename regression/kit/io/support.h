@@ -96,6 +96,7 @@ inline void ExpectSameMesh(const Mesh& a, const Mesh& b) {
     EXPECT_EQ(a.positions, b.positions);
     ExpectSameAttributes(a.point_data, b.point_data);
     ExpectSameAttributes(a.cell_data, b.cell_data);
+    EXPECT_EQ(a.scheme_options, b.scheme_options);
 }
 
 /// Twelve vertices with coordinates that only 17 digits tell apart, tiny, huge and negative ones.

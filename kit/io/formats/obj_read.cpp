@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ (.obj): vertices, faces, lines, points. Per-corner texture coordinates and normals are not kept.
+// Reads Wavefront OBJ (.obj): vertices, faces, lines, points, OpenSubdiv's tags. Per-corner texture coordinates and
+// normals are not kept.
 #include <array>
 #include <charconv>
 #include <vector>
 
-#include <solidsubdiv/kit/io/internal/files.h>
 #include <solidsubdiv/kit/io/internal/mesh_builder.h>
+#include <solidsubdiv/kit/io/internal/obj_tags.h>
 #include <solidsubdiv/kit/io/internal/readers.h>
 #include <solidsubdiv/kit/io/internal/text.h>
-#include <solidsubdiv/kit/io/internal/writers.h>
-#include <solidsubdiv/kit/io/internal/writing.h>
 
 namespace SolidSubdiv::Io::Internal {
 
@@ -17,7 +16,8 @@ namespace {
 
 class ObjReader {
   public:
-    ObjReader(std::string_view bytes, const std::string& file) : text_(bytes, file), builder_(file, 1) {}
+    ObjReader(std::string_view bytes, const std::string& file)
+        : text_(bytes, file), builder_(file, 1), tags_(builder_) {}
 
     Mesh Read() {
         TextCursor line = text_;
@@ -25,13 +25,13 @@ class ObjReader {
         builder_.AddPositions(positions_);
         if (n_colored_ > 0 && 3 * n_colored_ == positions_.size()) builder_.AddPointData({"color", 3, colors_});
         if (has_corner_data_) builder_.AddNote("texture coordinates and normals of the faces' corners are not kept");
-        if (n_skipped_tags_ > 0) {
-            builder_.AddNote(Counted(n_skipped_tags_, "OpenSubdiv tag", "OpenSubdiv tags") + " ('t' lines) skipped");
-        }
         if (n_free_form_ > 0) {
             builder_.AddNote(Counted(n_free_form_, "line", "lines") + " of free-form curves or surfaces skipped");
         }
-        return builder_.Finish();
+        tags_.Finish();
+        Mesh mesh = builder_.Finish();
+        mesh.scheme_options = tags_.scheme_options();
+        return mesh;
     }
 
   private:
@@ -47,18 +47,16 @@ class ObjReader {
         } else if (keyword == "l") {
             ReadVertices(line);
             if (vertices_.size() < 2) line.FailHere("a line needs at least two vertices; remove it");
-            builder_.NextRow();
             for (std::size_t i = 1; i < vertices_.size(); ++i) {
-                builder_.AddElement(ElementKind::Edge, std::span<const std::int64_t>(vertices_).subspan(i - 1, 2));
+                tags_.AddElement(std::span<const std::int64_t>(vertices_).subspan(i - 1, 2));
             }
         } else if (keyword == "p") {
             ReadVertices(line);
-            builder_.NextRow();
-            for (const std::int64_t& v : vertices_) builder_.AddElement(ElementKind::Vertex, {&v, 1});
+            for (const std::int64_t& v : vertices_) tags_.AddElement({&v, 1});
         } else if (keyword == "vt" || keyword == "vn") {
             has_corner_data_ = true;
         } else if (keyword == "t") {
-            ++n_skipped_tags_;
+            tags_.ReadTag(line);
         } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
             ++n_free_form_;
         }
@@ -69,21 +67,16 @@ class ObjReader {
         for (int i = 0; i < 3; ++i) positions_.push_back(line.Real("a coordinate"));
         std::array<double, 4> more = {};
         std::size_t n = 0;
-        for (; n < 4 && !EndsHere(line); ++n) more[n] = line.Real("a number");
+        for (; n < 4 && !line.AtComment(); ++n) more[n] = line.Real("a number");
         if (n < 3) return;
         ++n_colored_;
         colors_.insert(colors_.end(), more.begin() + (n - 3), more.begin() + n);
     }
 
-    static bool EndsHere(TextCursor& line) {
-        const std::string_view word = line.PeekWord();
-        return word.empty() || word[0] == '#';
-    }
-
     /// v, v/vt, v//vn or v/vt/vn, counted from 1, or back from the latest vertex with -1.
     void ReadVertices(TextCursor& line) {
         vertices_.clear();
-        while (!EndsHere(line)) {
+        while (!line.AtComment()) {
             const std::string_view word = line.PeekWord();
             const std::string_view digits = word.substr(0, word.find('/'));
             const auto n_now = static_cast<std::int64_t>(positions_.size() / 3);
@@ -99,46 +92,17 @@ class ObjReader {
 
     TextCursor text_;
     MeshBuilder builder_;
+    ObjTags tags_;
     std::vector<double> positions_;
     std::vector<double> colors_;
     std::vector<std::int64_t> vertices_;
     std::size_t n_colored_ = 0;
     bool has_corner_data_ = false;
-    std::int64_t n_skipped_tags_ = 0;
     std::int64_t n_free_form_ = 0;
 };
-
-/// The attribute that vertices carry, or null.
-const Attribute* ColorsOf(const Mesh& mesh) {
-    const Attribute* const color = mesh.FindPointData("color");
-    return color && color->width == 3 ? color : nullptr;
-}
 
 }  // namespace
 
 Mesh ParseObj(std::string_view bytes, const std::string& file) { return ObjReader(bytes, file).Read(); }
-
-bool ObjCarries(const Mesh& mesh, const Attribute& attribute) { return &attribute == ColorsOf(mesh); }
-
-void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions&) {
-    constexpr std::array kinds = {ElementKind::Triangle, ElementKind::Quad, ElementKind::Polygon, ElementKind::Edge,
-                                  ElementKind::Vertex};
-    RequireKinds(path, mesh, "OBJ", kinds);
-    const Attribute* const color = ColorsOf(mesh);
-
-    OutputFile file(path);
-    file << "# written by SolidSubdiv\n";
-    for (std::size_t at = 0; at < mesh.positions.size(); at += 3) {
-        file << "v " << mesh.positions[at] << ' ' << mesh.positions[at + 1] << ' ' << mesh.positions[at + 2];
-        if (color) file << ' ' << color->values[at] << ' ' << color->values[at + 1] << ' ' << color->values[at + 2];
-        file << '\n';
-    }
-    ForEachElement(mesh.topology, [&](ElementKind kind, Offset element) {
-        file << (kind == ElementKind::Edge ? 'l' : kind == ElementKind::Vertex ? 'p' : 'f');
-        for (const Index v : ElementVertices(mesh.topology, kind, element)) file << ' ' << v + 1;
-        file << '\n';
-    });
-    file.Commit();
-}
 
 }  // namespace SolidSubdiv::Io::Internal

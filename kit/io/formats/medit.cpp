@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// MEDIT meshes (.mesh), text: sections of vertices and elements, each row with an integer reference at its end.
+// MEDIT meshes (.mesh), text: sections of vertices and elements, each row with an integer reference at its end; lists
+// of those edges (Ridges) and vertices (Corners) that are infinitely sharp.
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
+#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/internal/files.h>
 #include <solidsubdiv/kit/io/internal/mesh_builder.h>
 #include <solidsubdiv/kit/io/internal/octahedra.h>
@@ -49,6 +51,7 @@ class MeditReader {
         if (!have_vertices_) Fail(text_.file(), "has no Vertices; is the file complete?");
         AddLabels("reference", point_labels_, true);
         AddLabels("reference", cell_labels_, false);
+        AddSharpness();
         return builder_.Finish();
     }
 
@@ -60,6 +63,8 @@ class MeditReader {
             return;
         }
         if (keyword == "Vertices") return ReadVertices();
+        if (keyword == "Corners") return ReadCorners();
+        if (keyword == "Ridges") return ReadRidges();
         const auto found =
             std::find_if(kSections.begin(), kSections.end(), [&](const auto& s) { return s.keyword == keyword; });
         if (found != kSections.end()) return ReadElements(found->kind);
@@ -114,10 +119,47 @@ class MeditReader {
                                    "; vertices are counted from 1");
                 --vertices[place];
             }
-            builder_.NextRow();
+            const Offset row = builder_.NextRow();
+            if (kind == ElementKind::Edge) edge_rows_.push_back(row);
             builder_.AddElement(kind, {vertices.data(), n_vertices});
             cell_labels_.push_back(static_cast<double>(Integer("an element's reference")));
         }
+    }
+
+    void ReadCorners() {
+        text_.SkipComments('#');
+        const std::int64_t n = text_.Count("corners");
+        for (std::int64_t i = 0; i < n; ++i) {
+            const std::int64_t vertex = Integer("a corner's vertex") - 1;
+            if (vertex < 0)
+                text_.FailHere("a corner is vertex " + std::to_string(vertex + 1) + "; vertices are counted from 1");
+            sharp_rows_.push_back(builder_.NextRow());
+            builder_.AddElement(ElementKind::Vertex, {&vertex, 1});
+            cell_labels_.push_back(0);
+        }
+    }
+
+    /// Numbers of edges, whose section may come later.
+    void ReadRidges() {
+        text_.SkipComments('#');
+        const std::int64_t n = text_.Count("ridges");
+        for (std::int64_t i = 0; i < n; ++i) ridges_.push_back(Integer("a ridge's edge"));
+    }
+
+    void AddSharpness() {
+        for (const std::int64_t edge : ridges_) {
+            if (edge < 1 || edge > static_cast<std::int64_t>(edge_rows_.size())) {
+                Fail(text_.file(), "a ridge is edge " + std::to_string(edge) + " of " +
+                                       std::to_string(edge_rows_.size()) + "; edges are counted from 1");
+            }
+            sharp_rows_.push_back(edge_rows_[static_cast<std::size_t>(edge) - 1]);
+        }
+        if (sharp_rows_.empty()) return;
+        Attribute sharpness{std::string(kSharpness), 1, {}};
+        sharpness.values.assign(static_cast<std::size_t>(builder_.n_rows()), 0.0);
+        for (const Offset row : sharp_rows_)
+            sharpness.values[static_cast<std::size_t>(row)] = static_cast<double>(kInfinitelySharp);
+        builder_.AddCellData(std::move(sharpness));
     }
 
     std::int64_t Integer(std::string_view what) {
@@ -137,7 +179,12 @@ class MeditReader {
     bool have_vertices_ = false;
     std::vector<double> point_labels_;
     std::vector<double> cell_labels_;
+    std::vector<Offset> edge_rows_;
+    std::vector<std::int64_t> ridges_;
+    std::vector<Offset> sharp_rows_;
 };
+
+bool IsInfinite(double sharpness) { return sharpness >= static_cast<double>(kInfinitelySharp); }
 
 /// MEDIT carries one integer a row: the reference, or, for meshes from Gmsh, the physical label.
 const Attribute* References(std::span<const Attribute> attributes) {
@@ -145,10 +192,26 @@ const Attribute* References(std::span<const Attribute> attributes) {
     return reference ? reference : FindLabels(attributes, "physical");
 }
 
+/// The kinds that have sections of elements; single vertices have one if all of them are corners.
+std::vector<ElementKind> KindsOf(const std::vector<double>& sharpness, Offset n_vertices) {
+    std::vector<ElementKind> kinds;
+    for (const MeditSection& section : kSections) kinds.push_back(section.kind);
+    const bool all_corners = std::all_of(sharpness.end() - n_vertices, sharpness.end(), IsInfinite);
+    if (all_corners) kinds.push_back(ElementKind::Vertex);
+    return kinds;
+}
+
+void WriteList(OutputFile& file, std::string_view keyword, const std::vector<Offset>& numbers) {
+    if (numbers.empty()) return;
+    file << keyword << '\n' << numbers.size() << '\n';
+    for (const Offset number : numbers) file << number << '\n';
+}
+
 void Write(const std::filesystem::path& path, const Mesh& mesh) {
-    constexpr std::array kinds = {ElementKind::Tet,      ElementKind::Hex,  ElementKind::Wedge, ElementKind::Pyramid,
-                                  ElementKind::Triangle, ElementKind::Quad, ElementKind::Edge};
-    RequireKinds(path, mesh, "MEDIT", kinds);
+    const Attribute* const data = FindSharpness(mesh);
+    const std::vector<double> sharpness =
+        data ? data->values : std::vector<double>(static_cast<std::size_t>(mesh.topology.n_elements()), 0.0);
+    RequireKinds(path, mesh, "MEDIT", KindsOf(sharpness, mesh.topology.n_point_elements()));
     const Attribute* point_labels = References(mesh.point_data);
     const Attribute* cell_labels = References(mesh.cell_data);
 
@@ -159,9 +222,10 @@ void Write(const std::filesystem::path& path, const Mesh& mesh) {
              << LabelOf(point_labels, at / 3) << '\n';
     }
     std::size_t row = 0;
+    std::vector<Offset> ridges;
     for (const ElementKind kind : kAllElementKinds) {
         const Offset n = CountOf(mesh.topology, kind);
-        if (n == 0) continue;
+        if (n == 0 || kind == ElementKind::Vertex) continue;
         const auto section =
             std::find_if(kSections.begin(), kSections.end(), [&](const auto& s) { return s.kind == kind; });
         file << section->keyword << '\n' << n << '\n';
@@ -171,8 +235,13 @@ void Write(const std::filesystem::path& path, const Mesh& mesh) {
                 file << v[kind == ElementKind::Wedge ? kTurnedWedge[i] : i] + 1 << ' ';
             }
             file << LabelOf(cell_labels, row) << '\n';
+            if (kind == ElementKind::Edge && IsInfinite(sharpness[row])) ridges.push_back(element + 1);
         }
     }
+    WriteList(file, "Ridges", ridges);
+    std::vector<Offset> corners(mesh.topology.vertices.begin(), mesh.topology.vertices.end());
+    for (Offset& corner : corners) ++corner;
+    WriteList(file, "Corners", corners);
     file << "End\n";
     file.Commit();
 }
@@ -182,7 +251,15 @@ void Write(const std::filesystem::path& path, const Mesh& mesh) {
 Mesh ParseMedit(std::string_view bytes, const std::string& file) { return MeditReader(bytes, file).Read(); }
 
 bool MeditCarries(const Mesh& mesh, const Attribute& attribute) {
-    return &attribute == References(mesh.point_data) || &attribute == References(mesh.cell_data);
+    if (&attribute == References(mesh.point_data) || &attribute == References(mesh.cell_data)) return true;
+    if (&attribute != FindSharpness(mesh)) return false;
+    std::size_t row = 0;
+    bool carried = true;
+    ForEachElement(mesh.topology, [&](ElementKind kind, Offset) {
+        const double sharpness = attribute.values[row++];
+        carried = carried && (sharpness == 0 || (IsInfinite(sharpness) && CanBeSharp(kind)));
+    });
+    return carried;
 }
 
 void WriteMedit(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions&) {

@@ -106,6 +106,11 @@ const std::vector<BadFile> kBadFiles = {
     {"mfem.mesh", "MFEM mesh v1.0\n", "is no MEDIT mesh"},
     {"range.mesh", kMedit + "Triangles 1\n1 2 4 0\nEnd\n", "names vertex 4, but there are 3 vertices"},
     {"zero.mesh", kMedit + "Triangles 1\n0 1 2 0\nEnd\n", "line 8: an element names vertex 0"},
+    {"ridge.mesh", kMedit + "Ridges 1\n2\nEdges 1\n1 2 0\nEnd\n", "a ridge is edge 2 of 1; edges are counted from 1"},
+    {"corner.mesh", kMedit + "Corners 1\n0\nEnd\n", "line 8: a corner is vertex 0; vertices are counted from 1"},
+    {"corners.mesh", kMedit + "Corners 1\n4\nEnd\n",
+     "a single vertex (element 1 of the file) names vertex 4, but there"},
+    {"many.mesh", kMedit + "Corners 1000000000\n1\n", "1000000000 corners are announced, but only 3 bytes follow"},
     {"order.mesh", kMedit + "TrianglesP2 1\n1 2 3 0\n", "higher order"},
     {"nothing.mesh", "MeshVersionFormatted 1\nEnd\n", "has no Vertices"},
 

@@ -204,7 +204,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Way{".vtk", "tohTPE", true, true, false}, Way{".vtk", "tohTPE", false, true, false},
                     Way{".msh", "thTE", false, true, false}, Way{".obj", "TQPEV", false, true, false},
                     Way{".obj", "T", false, true, false}, Way{".ply", "TQPE", true, false, false},
-                    Way{".ply", "T", false, false, false}),
+                    Way{".ply", "T", false, false, false}, Way{".mesh", "thTE", false, true, true},
+                    Way{".mesh", "T", false, false, true}),
     [](const auto& way) {
         return way.param.extension.substr(1) + "_" + way.param.kinds + (way.param.binary ? "_binary" : "");
     });

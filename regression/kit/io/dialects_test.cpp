@@ -176,8 +176,11 @@ TEST(MeditDialects, OldLineEndsUnknownSectionsAndTurnedPrisms) {
     EXPECT_THAT(mesh.topology.tets, testing::ElementsAre(3, 4, 5, 6));
     EXPECT_THAT(mesh.topology.triangles, testing::ElementsAre(0, 2, 1));
     EXPECT_THAT(mesh.FindPointData("reference")->values, testing::ElementsAre(1, 1, 1, 2, 2, 2, 0));
-    EXPECT_THAT(mesh.FindCellData("reference")->values, testing::ElementsAre(8, 9, 4));
-    EXPECT_THAT(mesh.notes, testing::ElementsAre("section 'Corners' is left out"));
+    EXPECT_THAT(mesh.topology.edges, testing::ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(mesh.topology.vertices, testing::ElementsAre(0, 1));
+    EXPECT_THAT(mesh.FindCellData("reference")->values, testing::ElementsAre(8, 9, 4, 5, 6, 0, 0));
+    EXPECT_THAT(mesh.FindCellData("sharpness")->values, testing::ElementsAre(0, 0, 0, 0, 10, 10, 10));
+    EXPECT_THAT(mesh.notes, testing::ElementsAre("section 'RequiredVertices' is left out"));
 }
 
 TEST(VtuDialects, Vtk94LayoutOfPolyhedraIsRead) {

@@ -2,15 +2,14 @@
 // Figures of a mesh by plain sums, and figures that another process prints.
 #include "vtk_files.h"
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+
+#include "python_script.h"
 
 namespace SolidSubdiv::Validation {
 
@@ -26,12 +25,6 @@ double VolumeOfTet(const std::vector<double>& p, Index a, Index b, Index c, Inde
             edge(b, 1) * (edge(c, 0) * edge(d, 2) - edge(c, 2) * edge(d, 0)) +
             edge(b, 2) * (edge(c, 0) * edge(d, 1) - edge(c, 1) * edge(d, 0))) /
            6;
-}
-
-std::string ShellQuoted(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 /// Sums of cell arrays do not survive cutting cells (a value stands in each piece): those are compared by width only.
@@ -86,22 +79,7 @@ GridSummary Expect(const Io::Mesh& mesh, bool keep_octahedra) {
 
 std::vector<GridSummary> ReadByVtk(const std::filesystem::path& script,
                                    const std::vector<std::filesystem::path>& files) {
-    constexpr int kNoModule = 3;
-    if (!std::filesystem::exists(script)) throw std::runtime_error(script.string() + ": there is no such file");
-    std::string command = "/usr/bin/python3 " + ShellQuoted(script.string());
-    for (const auto& file : files) command += " " + ShellQuoted(file.string());
-    std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-    if (!pipe) throw std::runtime_error("no shell to run /usr/bin/python3 in");
-    std::string output;
-    std::array<char, 4096> buffer;
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) output.append(buffer.data(), n);
-    const int status = ::pclose(pipe);
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    if (code == kNoModule || code == 127) {
-        throw Unavailable{"VTK's Python module is not there for /usr/bin/python3 (Debian: python3-vtk9)"};
-    }
-    if (code != 0) throw std::runtime_error("vtk_reader.py: " + output);
-
+    const std::string output = RunVtkScript(script, files);
     std::vector<GridSummary> grids;
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {

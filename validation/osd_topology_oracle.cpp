@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes OpenSubdiv's refiner and copies topology out of it.
+#include "osd_topology_oracle.h"
+
+#include <opensubdiv/far/topologyDescriptor.h>
+#include <opensubdiv/far/topologyRefinerFactory.h>
+
+#include <stdexcept>
+
+namespace SolidSubdiv::Validation {
+
+namespace Theirs = OpenSubdiv::Far;
+
+std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface& surface, int max_level) {
+    const std::vector<int> arities(surface.triangles.size(), 3);
+    std::vector<int> corners;
+    for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
+    Theirs::TopologyDescriptor descriptor;
+    descriptor.numVertices = surface.n_vertices;
+    descriptor.numFaces = static_cast<int>(surface.triangles.size());
+    descriptor.numVertsPerFace = arities.data();
+    descriptor.vertIndicesPerFace = corners.data();
+
+    OpenSubdiv::Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(OpenSubdiv::Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    using Factory = Theirs::TopologyRefinerFactory<Theirs::TopologyDescriptor>;
+    std::unique_ptr<Theirs::TopologyRefiner> refiner(
+        Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));
+    if (!refiner) throw std::runtime_error("OpenSubdiv refuses the surface");
+    Theirs::TopologyRefiner::UniformOptions uniform(max_level);
+    uniform.fullTopologyInLastLevel = true;
+    refiner->RefineUniform(uniform);
+    return refiner;
+}
+
+void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, LoopLevel& to) {
+    to.n_vertices = from.GetNumVertices();
+    for (int f = 0; f < from.GetNumFaces(); ++f) {
+        const auto v = from.GetFaceVertices(f);
+        to.triangles.push_back({v[0], v[1], v[2]});
+    }
+    for (int e = 0; e < from.GetNumEdges(); ++e) {
+        const auto v = from.GetEdgeVertices(e);
+        to.edges.push_back({v[0], v[1]});
+        if (!is_last) to.children_of_edges.push_back(from.GetEdgeChildVertex(e));
+    }
+    for (int v = 0; v < from.GetNumVertices() && !is_last; ++v) {
+        to.children_of_vertices.push_back(from.GetVertexChildVertex(v));
+    }
+}
+
+}  // namespace SolidSubdiv::Validation

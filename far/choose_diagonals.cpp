@@ -272,7 +272,7 @@ DiagonalChoice ChooseDiagonals(const TopologyDescriptor& descriptor, DiagonalPol
     if (!defects.has_fatal()) {
         Vtr::BaseFindings findings;
         level = Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings);
-        Internal::AddFindings(level, findings, defects);
+        Internal::AddFindings(descriptor, level, findings, defects);
     }
     if (defects.has_fatal()) throw InvalidInput(defects.TakeFatalFirst().front().text);
 

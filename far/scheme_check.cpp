@@ -24,8 +24,10 @@ void CheckScheme(const TopologyRefiner& refiner, const Sdc::Scheme& scheme) {
     const auto semi_sharp = std::find_if(edges.begin(), edges.end(), is_semi_sharp);
     if (is_wide && semi_sharp != edges.end()) {
         const auto ends = base.EdgeVertices(static_cast<Index>(semi_sharp - edges.begin()));
+        std::string sharpness = std::to_string(*semi_sharp);
+        sharpness.erase(sharpness.find_last_not_of("0.") + 1);
         throw InvalidInput("edge (" + std::to_string(ends[0]) + " " + std::to_string(ends[1]) + ") has the sharpness " +
-                           std::to_string(*semi_sharp) + "; scheme " + std::string(Sdc::NameOf(scheme)) +
+                           sharpness + "; scheme " + std::string(Sdc::NameOf(scheme)) +
                            " takes infinitely sharp creases (10) only");
     }
 }

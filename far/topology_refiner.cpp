@@ -75,7 +75,7 @@ TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sd
     if (!defects.has_fatal()) {
         Vtr::BaseFindings findings;
         refiner.levels_.push_back(Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings));
-        Internal::AddFindings(refiner.levels_[0], findings, defects);
+        Internal::AddFindings(descriptor, refiner.levels_[0], findings, defects);
         if (findings.IsUsable()) refiner.sharpness_ = Internal::TakeSharpness(descriptor, refiner.levels_[0], defects);
     }
     refiner.defects_ = defects.TakeFatalFirst();

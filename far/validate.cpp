@@ -2,6 +2,7 @@
 // The catalogue of what may be wrong with a mesh.
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 
 #include <solidsubdiv/far/internal/check.h>
@@ -96,6 +97,16 @@ class KindCheck {
     DefectList& defects_;
 };
 
+std::array<Index, 2> Ascending(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::set<std::array<Index, 2>> CreaseEdges(const TopologyDescriptor& d) {
+    std::set<std::array<Index, 2>> edges;
+    for (std::size_t i = 0; i < d.crease_sharpness.size(); ++i) {
+        if (d.crease_sharpness[i] > 0) edges.insert(Ascending(d.crease_edges[2 * i], d.crease_edges[2 * i + 1]));
+    }
+    return edges;
+}
+
 void CheckSharpness(const char* name, std::span<const float> sharpness, std::size_t n, DefectList& defects) {
     if (sharpness.size() != n) {
         defects.Add(DefectCode::BadOffsets, kNoIndex, static_cast<double>(sharpness.size()),
@@ -131,7 +142,8 @@ void CheckElements(const TopologyDescriptor& d, DefectList& defects) {
     octs.Duplicates<6>();
 }
 
-void AddFindings(const Vtr::Level& level, const Vtr::BaseFindings& findings, DefectList& defects) {
+void AddFindings(const TopologyDescriptor& d, const Vtr::Level& level, const Vtr::BaseFindings& findings,
+                 DefectList& defects) {
     for (Index f : findings.faces_in_three_cells) {
         if (!defects.HasRoom(DefectCode::FaceInThreeCells)) break;
         const auto v = level.FaceVertices(f);
@@ -160,7 +172,9 @@ void AddFindings(const Vtr::Level& level, const Vtr::BaseFindings& findings, Def
         defects.Add(DefectCode::CoincidentElement, t, 2,
                     Name("triangle", t) + " lies on a face of a cell: a tag, not a part");
     }
+    const std::set<std::array<Index, 2>> creases = CreaseEdges(d);
     for (Index e : findings.coincident_edges) {
+        if (creases.count(Ascending(d.edges[2 * e], d.edges[2 * e + 1])) > 0) continue;
         defects.Add(DefectCode::CoincidentElement, e, 1,
                     Name("edge", e) + " lies on an edge of a face: a tag, not a part");
     }
@@ -212,7 +226,7 @@ std::vector<Defect> Validate(const TopologyDescriptor& descriptor, Index max_per
     if (!defects.has_fatal()) {
         Vtr::BaseFindings findings;
         const Vtr::Level level = Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings);
-        Internal::AddFindings(level, findings, defects);
+        Internal::AddFindings(descriptor, level, findings, defects);
         if (findings.IsUsable()) Internal::TakeSharpness(descriptor, level, defects);
     }
     return defects.TakeFatalFirst();

@@ -18,6 +18,7 @@
 #include <solidsubdiv/kit/geometry/orientation.h>
 #include <solidsubdiv/kit/geometry/surface_components.h>
 #include <solidsubdiv/kit/geometry/valence.h>
+#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/sdc/errors.h>
 
 namespace SolidSubdiv::Cli {
@@ -224,8 +225,11 @@ Json DescribeMesh(const Io::Mesh& mesh) {
             "boundary, valences and defects are found for tetrahedra, octahedra, triangles and edges only";
         return json;
     }
-    // Single vertices are tags; the level knows nothing of them.
-    json["defects"] = DescribeDefects(topology.View(), kDefectsCounted, kDefectsListed);
+    const Io::Creases creases = Io::CreasesOf(mesh);
+    json["creases"] = {{"edges", creases.edge_sharpness.size()}, {"corners", creases.vertices.size()}};
+    Far::TopologyDescriptor descriptor = topology.View();
+    creases.AddTo(descriptor);
+    json["defects"] = DescribeDefects(descriptor, kDefectsCounted, kDefectsListed);
     const Json& defects = json["defects"];
     if (std::any_of(defects.begin(), defects.end(), [](const Json& d) { return d["fatal"].get<bool>(); })) {
         json["analysis"] = "boundary and valences are not found while there are fatal defects";

@@ -39,6 +39,7 @@ class ReportWriter {
         WriteRegularity();
         WriteAttributes("point_data", "point data");
         WriteAttributes("cell_data", "cell data");
+        WriteCreases();
         WriteDefects();
         if (json_["analysis"] != "complete") Line("note", json_["analysis"].get<std::string>());
         return std::move(text_);
@@ -55,6 +56,14 @@ class ReportWriter {
             text += (i > 0 ? ",  " : "") + Text(low[i].get<double>()) + " to " + Text(high[i].get<double>());
         }
         return text;
+    }
+
+    void WriteCreases() {
+        if (!json_.contains("creases")) return;
+        const auto edges = json_["creases"]["edges"].get<Offset>(), corners = json_["creases"]["corners"].get<Offset>();
+        if (edges + corners == 0) return;
+        Line("creases",
+             Counted(edges, "sharp edge", "sharp edges") + ", " + Counted(corners, "sharp vertex", "sharp vertices"));
     }
 
     void WriteShape() {

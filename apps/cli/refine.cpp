@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -28,6 +29,7 @@ struct RefineOptions {
     SchemeOptions scheme;
     int levels = 1;
     std::string orient = "repair";
+    bool drop_border = false;
     bool limit = false, keep_octahedra = false, ascii = false;
 };
 
@@ -90,19 +92,28 @@ class RefineCommand {
     RefinementSettings Settings(const Io::Mesh& mesh) {
         const Io::Topology& topology = mesh.topology;
         RefinementSettings settings;
-        settings.choice = MakeScheme(options_.scheme, topology.n_cells() > 0);
+        const bool is_solid = topology.n_cells() > 0;
+        const SchemeOptions scheme = WithFileOptions(options_.scheme, mesh.scheme_options, is_solid);
+        const auto asks_to_drop = [](const auto& option) {
+            return option.first == "boundary" && option.second == "none";
+        };
+        settings.choice = MakeScheme(scheme, is_solid);
+        settings.drop_border =
+            options_.drop_border || std::any_of(mesh.scheme_options.begin(), mesh.scheme_options.end(), asks_to_drop);
+        settings.keep_creases = FormatFor(options_.output).creases;
         settings.levels = options_.levels;
         settings.orient = Geometry::OrientationPolicyOf(options_.orient);
         settings.limit = options_.limit;
         settings.keep_levels = !options_.picture.empty();
         Json& json = json_["settings"];
         json = {{"scheme", Sdc::NameOf(settings.choice.scheme)}};
-        for (const auto& [name, value] : OptionValues(options_.scheme, settings.choice.scheme)) json[name] = value;
+        for (const auto& [name, value] : OptionValues(scheme, settings.choice.scheme)) json[name] = value;
         json["levels"] = options_.levels;
         json["diagonals"] = options_.scheme.diagonals;
         json["orient"] = options_.orient;
         json["limit"] = options_.limit;
         json["keep_octahedra"] = options_.keep_octahedra;
+        json["drop_border"] = settings.drop_border;
         json["threads"] = Sdc::ThreadCount();
         return settings;
     }
@@ -134,7 +145,11 @@ class RefineCommand {
         }
         if (refinement.n_tags() > 0) {
             session_.Note(options_.input + ": " + Counted(refinement.n_tags(), "element lies", "elements lie") +
-                          " on a part of higher dimension; such tags make no creases yet and are not written");
+                          " on a part of higher dimension and without sharpness; they are not written");
+        }
+        if (!options_.output.empty() && !FormatFor(options_.output).creases &&
+            refinement.result_creases().edges.size() + refinement.result_creases().vertices.size() > 0) {
+            session_.Note(options_.output + ": the format can't carry what is still sharp, left out");
         }
         if (refinement.n_without_limit() > 0) {
             session_.Note(options_.input + ": " + Counted(refinement.n_without_limit(), "vertex", "vertices") +
@@ -235,6 +250,21 @@ class RefineCommand {
         json_["bytes"] = {{"topology", refiner.Bytes()}, {"stencils", refinement.stencil_bytes()}};
         json_["orientation"] = {{"inverted", refinement.orientation().n_inverted()},
                                 {"zero_volume", refinement.orientation().n_flat()}};
+        const Io::Creases& given = refinement.creases();
+        const Far::Creases& kept = refinement.result_creases();
+        json_["creases"] = {{"edges", given.edge_sharpness.size()},
+                            {"corners", given.vertices.size()},
+                            {"edges_still_sharp", kept.edge_sharpness.size()},
+                            {"corners_still_sharp", kept.vertices.size()}};
+        if (!given.empty()) {
+            const auto counted = [](std::size_t edges, std::size_t corners) {
+                return Counted(static_cast<Offset>(edges), "sharp edge", "sharp edges") + " and " +
+                       Counted(static_cast<Offset>(corners), "sharp vertex", "sharp vertices");
+            };
+            text += "creases: " + counted(given.edge_sharpness.size(), given.vertices.size()) + "; at level " +
+                    std::to_string(options_.levels) + " " + counted(kept.edge_sharpness.size(), kept.vertices.size()) +
+                    "\n";
+        }
         json_["defects"] = DescribeDefects(refiner.defects(), 100, 100);
         const Far::DiagonalChoice& diagonals = refinement.diagonals();
         if (refinement.control().topology.n_cells() > 0) {
@@ -297,16 +327,22 @@ Work AddRefine(CLI::App& command) {
                     "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
         ->option_text("repair|keep|refuse")
         ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
+    command.add_flag("--drop-border", o.drop_border,
+                     "leave out the faces at the border of open surfaces: they\nonly support the others "
+                     "(OpenSubdiv's VTX_BOUNDARY_NONE)");
     command.add_flag("--limit", o.limit, "move the vertices of the last level to their limits");
     AddOutputOptions(command, o);
     command.footer(
         "Points come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
         "level by level. Point data are refined like positions; cells inherit the data of their control cells, and\n"
-        "carry their diagonals as cell data 'diagonal'.\n\n" +
+        "carry their diagonals as cell data 'diagonal'. Creases and corners are edges and single vertices with cell\n"
+        "data 'sharpness', or OpenSubdiv's t tags in OBJ files; what is still sharp is written with the result.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + WritableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv refine lattice.vtu -o solid.vtu --levels 2 --boundary solid.obj\n"
-        "  solidsubdiv refine lattice.vtu -o solid.vtu --scheme linear-solid --diagonals shortest --json -");
+        "  solidsubdiv refine lattice.vtu -o solid.vtu --scheme linear-solid --diagonals shortest --json -\n"
+        "  solidsubdiv refine lattice.vtu -o solid.vtu --scheme interpolatory --tension 0.05\n"
+        "  solidsubdiv refine solid.obj -o smooth.obj --scheme modified-butterfly");
     return [options](Session& session) { RefineCommand(*options, session).Run(); };
 }
 

@@ -26,12 +26,26 @@ void Repeat(std::vector<Offset>& rows, T row, Offset times) {
 
 }  // namespace
 
-RefinedElements::RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner)
+RefinedElements::RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border)
     : control_(control), refiner_(refiner) {
     FindTriangles();
     FindEdges();
     n_tags_ = control.n_triangles() - static_cast<Offset>(triangles_.size()) + control.n_edges() -
               static_cast<Offset>(edges_.size());
+    if (drop_border) DropBorder();
+}
+
+void RefinedElements::DropBorder() {
+    const Vtr::Level& level = refiner_.level(0);
+    std::vector<bool> is_on_border(static_cast<std::size_t>(level.n_vertices), false);
+    for (Index e = 0; e < level.n_edges; ++e) {
+        if (level.edge_faces.Count(e) != 1) continue;
+        for (Index v : level.EdgeVertices(e)) is_on_border[v] = true;
+    }
+    std::erase_if(triangles_, [&](Part part) {
+        const auto v = level.BoundaryVertices(part.place);
+        return std::any_of(v.begin(), v.end(), [&](Index i) { return is_on_border[i]; });
+    });
 }
 
 void RefinedElements::FindTriangles() {

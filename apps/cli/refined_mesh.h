@@ -15,7 +15,8 @@ namespace SolidSubdiv::Cli {
 class RefinedElements {
   public:
     /// `control` is what the refiner was made from; both must outlive this.
-    RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner);
+    /// @param drop_border leave out triangles that touch the border of an open surface
+    RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border = false);
 
     /// Triangles and edges of the control mesh that lie on a part of higher dimension: tags, which have no children.
     Offset n_tags() const { return n_tags_; }
@@ -33,6 +34,7 @@ class RefinedElements {
     };
     void FindTriangles();
     void FindEdges();
+    void DropBorder();
     std::vector<Index> EdgesAt(int level) const;
 
     const Io::Topology& control_;

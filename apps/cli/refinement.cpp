@@ -18,10 +18,12 @@ namespace SolidSubdiv::Cli {
 namespace {
 
 /// The descriptor of a mesh with other vertex orders of its cells.
-Far::TopologyDescriptor Reordered(const Io::Topology& topology, const Far::DiagonalChoice& choice) {
+Far::TopologyDescriptor Reordered(const Io::Topology& topology, const Far::DiagonalChoice& choice,
+                                  const Io::Creases& creases) {
     Far::TopologyDescriptor descriptor = topology.View();
     descriptor.tets = choice.tets;
     descriptor.octs = choice.octs;
+    creases.AddTo(descriptor);
     return descriptor;
 }
 
@@ -104,7 +106,8 @@ void Refinement::ChooseDiagonals() {
 }
 
 void Refinement::RefineTopology() {
-    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_), Sdc::Split::TetOct);
+    creases_ = Io::CreasesOf(control_);
+    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_, creases_), Sdc::Split::TetOct);
     RequireMemory(*refiner_, settings_, control_);
     refiner_->RefineUniform({.max_level = settings_.levels,
                              .full_topology_in_last_level = settings_.limit,
@@ -135,7 +138,7 @@ void Refinement::Evaluate() {
 }
 
 void Refinement::KeepLevel(int level) {
-    earlier_.push_back({.topology = RefinedElements(control_.topology, *refiner_).At(level),
+    earlier_.push_back({.topology = RefinedElements(control_.topology, *refiner_, settings_.drop_border).At(level),
                         .positions = result_.positions,
                         .point_data = result_.point_data,
                         .cell_data = {},
@@ -161,8 +164,9 @@ void Refinement::ApplyLimit() {
 }
 
 void Refinement::GatherElements() {
-    const RefinedElements elements(control_.topology, *refiner_);
-    n_tags_ = elements.n_tags() + control_.topology.n_point_elements();
+    const RefinedElements elements(control_.topology, *refiner_, settings_.drop_border);
+    const auto n_creases = static_cast<Offset>(creases_.edge_sharpness.size() + creases_.vertices.size());
+    n_tags_ = std::max<Offset>(0, elements.n_tags() + control_.topology.n_point_elements() - n_creases);
     result_.topology = elements.At(settings_.levels);
     std::vector<Offset> rows;
     CopyCellData(control_, result_, [&](const Io::Attribute& attribute) {
@@ -170,6 +174,14 @@ void Refinement::GatherElements() {
         return InheritedRows(attribute, rows);
     });
     AddDiagonals(result_, {});
+    for (const auto& option : control_.scheme_options) {
+        if (option.second != "none") result_.scheme_options.push_back(option);  // the border that was dropped is gone
+    }
+    result_creases_ = Far::CreasesAt(*refiner_, settings_.choice.scheme, settings_.levels);
+    const Far::Creases& kept = result_creases_;
+    Io::SetCreases(result_, settings_.keep_creases
+                                ? Io::Creases{kept.edges, kept.edge_sharpness, kept.vertices, kept.vertex_sharpness}
+                                : Io::Creases{});
 }
 
 void Refinement::GatherControl() {

@@ -7,9 +7,11 @@
 
 #include <solidsubdiv/apps/cli/common.h>
 #include <solidsubdiv/apps/cli/scheme_options.h>
+#include <solidsubdiv/far/creases.h>
 #include <solidsubdiv/far/stencil_table.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/geometry/orientation.h>
+#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/mesh.h>
 
 namespace SolidSubdiv::Cli {
@@ -18,6 +20,8 @@ struct RefinementSettings {
     SchemeChoice choice;
     int levels = 1;
     Geometry::OrientationPolicy orient = Geometry::OrientationPolicy::Repair;
+    bool drop_border = false;  ///< leave out the faces at the border of open surfaces
+    bool keep_creases = true;  ///< put what is still sharp into the result
     bool limit = false;        ///< push the vertices of the last level to their limits
     bool keep_levels = false;  ///< keep the levels before the last for a picture
 };
@@ -32,7 +36,10 @@ class Refinement {
     const Far::DiagonalChoice& diagonals() const { return diagonals_; }
     const Far::TopologyRefiner& refiner() const { return *refiner_; }
     Offset stencil_bytes() const { return stencil_bytes_; }
-    Offset n_tags() const { return n_tags_; }  ///< elements of the input that lie on parts of higher dimension
+    /// Elements of the input that lie on parts of higher dimension and are no creases or corners.
+    Offset n_tags() const { return n_tags_; }
+    const Io::Creases& creases() const { return creases_; }                 ///< of the input
+    const Far::Creases& result_creases() const { return result_creases_; }  ///< what is still sharp
     Offset n_without_limit() const { return n_without_limit_; }
 
     /// Elements, positions and data of the last level.
@@ -56,6 +63,8 @@ class Refinement {
     RefinementSettings settings_;
     Session& session_;
     Io::Mesh control_, result_;
+    Io::Creases creases_;
+    Far::Creases result_creases_;
     Geometry::OrientationReport orientation_;
     Far::DiagonalChoice diagonals_;
     std::optional<Far::TopologyRefiner> refiner_;

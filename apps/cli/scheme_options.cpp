@@ -48,6 +48,15 @@ std::string SchemeNames() {
     return names;
 }
 
+/// With default options. @throws UsageError for an unknown name
+Sdc::Scheme NamedScheme(const SchemeOptions& options, bool is_solid) {
+    try {
+        return Sdc::SchemeOf(!options.scheme.empty() ? options.scheme : is_solid ? "box-spline" : "loop");
+    } catch (const InvalidInput& error) {
+        throw UsageError(error.what());
+    }
+}
+
 }  // namespace
 
 void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
@@ -72,10 +81,26 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
     }
 }
 
+SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,
+                              bool is_solid) {
+    const Sdc::Scheme scheme = NamedScheme(options, is_solid);
+    for (auto [name, value] : file) {
+        if (name == "boundary") {  // the names that files use for it
+            name = "features";
+            value = value == "edge-and-corner" ? "sharp" : "smooth";
+        }
+        const auto has_option = [&](const auto& s) {
+            return std::any_of(s.kOptions.begin(), s.kOptions.end(), [&](const auto& o) { return o.name == name; });
+        };
+        if (std::visit(has_option, scheme)) options.values.emplace(options.values.begin(), name, value);
+    }
+    return options;
+}
+
 SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid) {
     SchemeChoice choice;
     try {
-        choice.scheme = Sdc::SchemeOf(!options.scheme.empty() ? options.scheme : is_solid ? "box-spline" : "loop");
+        choice.scheme = NamedScheme(options, is_solid);
         for (const auto& [name, value] : options.values) Sdc::SetOption(choice.scheme, name, value);
         if (options.diagonals == "averaged") {
             Sdc::SetOption(choice.scheme, kDiagonalsOption, options.diagonals);

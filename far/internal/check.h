@@ -29,8 +29,9 @@ class DefectList {
 /// Array lengths, index ranges, repeated vertices, duplicate cells: what must hold before a level is built.
 void CheckElements(const TopologyDescriptor& descriptor, DefectList& defects);
 
-/// What building level 0 found, in words.
-void AddFindings(const Vtr::Level& level, const Vtr::BaseFindings& findings, DefectList& defects);
+/// What building level 0 found, in words. An edge that coincides with another one is no defect if it is a crease.
+void AddFindings(const TopologyDescriptor& descriptor, const Vtr::Level& level, const Vtr::BaseFindings& findings,
+                 DefectList& defects);
 
 /// Kinds of elements that the tet/oct split does not take, as a text "3 hexahedra, 1 wedge", or empty.
 std::string KindsBeyondTetOct(const TopologyDescriptor& descriptor);

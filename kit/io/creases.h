@@ -30,6 +30,14 @@ struct Creases {
     std::vector<float> vertex_sharpness{};  ///< (n_vertices), (0, 10]
 
     bool empty() const { return edge_vertices.empty() && vertices.empty(); }
+
+    /// Lets a descriptor see these; it must not outlive them.
+    void AddTo(Far::TopologyDescriptor& descriptor) const {
+        descriptor.crease_edges = edge_vertices;
+        descriptor.crease_sharpness = edge_sharpness;
+        descriptor.corner_vertices = vertices;
+        descriptor.corner_sharpness = vertex_sharpness;
+    }
 };
 
 /// The mesh's sharpness, if it has cell data of that name and of width 1; else null.

@@ -22,18 +22,19 @@ Mesh ReadOneFile(const std::filesystem::path& path) {
     return Parse(Internal::ReadWholeFile(path), Internal::NameOf(path));
 }
 
-// extension, name, reader, writer, holds solids, holds surfaces, which attributes it carries
+// extension, name, reader, writer, holds solids, surfaces, creases, which attributes it carries
 constexpr std::array kFormats = {
-    Format{".vtu", "VTK XML unstructured grid", ReadOneFile<Internal::ParseVtu>, Internal::WriteVtu, true, true},
-    Format{".vtk", "legacy VTK", ReadOneFile<Internal::ParseVtk>, Internal::WriteVtk, true, true},
-    Format{".msh", "Gmsh", ReadOneFile<Internal::ParseGmsh>, Internal::WriteGmsh, true, true},
-    Format{".mesh", "MEDIT", ReadOneFile<Internal::ParseMedit>, Internal::WriteMedit, true, true,
+    Format{".vtu", "VTK XML unstructured grid", ReadOneFile<Internal::ParseVtu>, Internal::WriteVtu, true, true, true},
+    Format{".vtk", "legacy VTK", ReadOneFile<Internal::ParseVtk>, Internal::WriteVtk, true, true, true},
+    Format{".msh", "Gmsh", ReadOneFile<Internal::ParseGmsh>, Internal::WriteGmsh, true, true, true},
+    Format{".mesh", "MEDIT", ReadOneFile<Internal::ParseMedit>, Internal::WriteMedit, true, true, false,
            Internal::MeditCarries},
-    Format{".node", "TetGen points", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
-    Format{".ele", "TetGen tetrahedra", Internal::ReadTetgen, Internal::WriteTetgen, true, false},
-    Format{".ply", "PLY", ReadOneFile<Internal::ParsePly>, Internal::WritePly, false, true},
-    Format{".stl", "STL", ReadOneFile<Internal::ParseStl>, Internal::WriteStl, false, true, Internal::StlCarries},
-    Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true,
+    Format{".node", "TetGen points", Internal::ReadTetgen, Internal::WriteTetgen, true, false, false},
+    Format{".ele", "TetGen tetrahedra", Internal::ReadTetgen, Internal::WriteTetgen, true, false, false},
+    Format{".ply", "PLY", ReadOneFile<Internal::ParsePly>, Internal::WritePly, false, true, false},
+    Format{".stl", "STL", ReadOneFile<Internal::ParseStl>, Internal::WriteStl, false, true, false,
+           Internal::StlCarries},
+    Format{".obj", "Wavefront OBJ", ReadOneFile<Internal::ParseObj>, Internal::WriteObj, false, true, true,
            Internal::ObjCarries},
 };
 

@@ -50,6 +50,7 @@ struct Format {
     MeshWriter write;
     bool solids;    ///< can hold cells
     bool surfaces;  ///< can hold faces
+    bool creases;   ///< can hold edges and single vertices, and their sharpness
     /// Whether it carries an attribute of the mesh; null: every one.
     bool (*carries)(const Mesh&, const Attribute&) = nullptr;
 };

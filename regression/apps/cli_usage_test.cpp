@@ -75,8 +75,10 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
         for (std::string choice; std::getline(choices, choice, '|'); ++n_choices) {
             std::string option = (*it)[1].str() + " " + choice;
             const std::set<std::string> surface_schemes{"loop", "butterfly", "modified-butterfly", "linear-surface"};
-            const bool is_surface = (*it)[1].str() == "--scheme" && surface_schemes.count(choice) > 0;
-            if ((*it)[1].str() == "--butterfly") option += " --scheme interpolatory";
+            const std::string name = (*it)[1].str();
+            const bool is_surface = (name == "--scheme" && surface_schemes.count(choice) > 0) || name == "--features" ||
+                                    name == "--creasing";
+            if (name == "--butterfly") option += " --scheme interpolatory";
             MustRun("refine " + std::string(is_surface ? "surface.obj" : "given.vtu") + " -o out.vtu " + option);
         }
     }

@@ -104,8 +104,9 @@ double SharpRules::CreaseShare(Index e) const {
     const float s = sharpness_.edges[e];
     const auto ends = level_.EdgeVertices(e);
     const auto goes_on = [&](Index v) { return Sdc::IsSharp(ChildSharpness(level_, sharpness_, method_, e, v)); };
-    // A crease while both halves are sharp still.
-    return goes_on(ends[0]) && goes_on(ends[1]) ? 1.0 : std::min<double>(s, 1.0);
+    // A crease while both halves are sharp still. Chaikin's mean may leave less than nothing of a sharpness above 1:
+    // then this goes past the crease's point, as in OpenSubdiv (docs/decisions/0008).
+    return goes_on(ends[0]) && goes_on(ends[1]) ? 1.0 : static_cast<double>(s);
 }
 
 bool SharpRules::HasSharpEdgeOrIsSharp(Index v) const {

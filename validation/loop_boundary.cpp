@@ -18,7 +18,7 @@ Findings ValidateLoopBoundary(const Context& context) {
     for (const SolidShape& shape : shapes) {
         const CellArrays cells(shape.complex);
         findings.Merge(CompareWithLoop(cells.Descriptor(shape.n_vertices()), Sdc::BoxSpline{},
-                                       BoundaryTriangles(shape.complex), shape.positions),
+                                       BoundaryTriangles(shape.complex), shape.positions, {}, {4, 3}),
                        shape.name);
     }
     findings.notes.push_back(std::to_string(shapes.size()) + " solids, levels 1-4");

@@ -39,7 +39,16 @@ Triangle FromLeast(Triangle t) {
 
 }  // namespace
 
-SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<const double> positions) {
+TaggedMesh::TaggedMesh(const Far::TopologyDescriptor& mesh, const SurfaceTags& tags) : descriptor(mesh) {
+    for (const auto& ends : tags.creases) crease_edges.insert(crease_edges.end(), ends.begin(), ends.end());
+    descriptor.crease_edges = crease_edges;
+    descriptor.crease_sharpness = tags.crease_sharpness;
+    descriptor.corner_vertices = tags.corners;
+    descriptor.corner_sharpness = tags.corner_sharpness;
+}
+
+SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<const double> positions,
+                          const SurfaceTags& tags) {
     SurfaceOfMesh result;
     std::set<int> used;
     for (const Triangle& t : triangles) used.insert(t.begin(), t.end());
@@ -51,6 +60,12 @@ SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<cons
         result.surface.positions.insert(result.surface.positions.end(), p.begin(), p.end());
     }
     for (const Triangle& t : triangles) result.surface.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+    result.surface.tags = tags;
+    for (auto& [a, b] : result.surface.tags.creases) {
+        a = number.at(a);
+        b = number.at(b);
+    }
+    for (int& v : result.surface.tags.corners) v = number.at(v);
     return result;
 }
 
@@ -156,13 +171,14 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
 
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const LoopLevels& levels) {
+                         const SurfaceTags& tags, const LoopLevels& levels) {
     Findings findings;
-    auto refiner = Far::TopologyRefiner::Create(mesh, Sdc::Split::TetOct);
+    const TaggedMesh tagged(mesh, tags);
+    auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
     Far::UniformRefinementOptions options;
     options.max_level = levels.positions;
     refiner.RefineUniform(options);
-    const SurfaceOfMesh start = TakeSurface(triangles, positions);
+    const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
     const auto oracle = RefineByOpenSubdiv(start.surface, levels.positions, levels.rows);
 
     const Match match = FollowChildren(refiner, start, oracle, findings);

@@ -21,7 +21,15 @@ struct SurfaceOfMesh {
 };
 
 /// @param positions (n_vertices, 3)
-SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<const double> positions);
+SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<const double> positions,
+                          const SurfaceTags& tags = {});
+
+/// The mesh with creases and corners; it sees the tags, which must outlive it.
+struct TaggedMesh {
+    TaggedMesh(const Far::TopologyDescriptor& mesh, const SurfaceTags& tags);
+    Far::TopologyDescriptor descriptor;
+    std::vector<Index> crease_edges;
+};
 
 /// For each level, the refiner's vertex for each vertex of the oracle's: children of matching parents match.
 using Match = std::vector<std::vector<Index>>;
@@ -44,13 +52,15 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
                  const std::vector<LoopLevel>& oracle, Findings& findings);
 
 struct LoopLevels {
-    int positions = 4;
+    int positions = 5;
     int rows = 3;
 };
 
-/// All of it for one mesh, under one scheme: refines, makes the tables, compares.
+/// All of it for one mesh, under one scheme: refines, makes the tables, compares. The mesh gets the tags as creases and
+/// corners.
+/// @param tags of vertices of the mesh; creases that are edges of the triangles
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const LoopLevels& levels = LoopLevels());
+                         const SurfaceTags& tags = {}, const LoopLevels& levels = LoopLevels());
 
 }  // namespace SolidSubdiv::Validation

@@ -26,13 +26,24 @@ struct LoopLevel {
     std::vector<double> row_weights;
 };
 
+/// What is sharp, and how sharpness goes on.
+struct SurfaceTags {
+    std::vector<std::array<int, 2>> creases{};
+    std::vector<float> crease_sharpness{};
+    std::vector<int> corners{};
+    std::vector<float> corner_sharpness{};
+    bool has_sharp_corners = false;  ///< VTX_BOUNDARY_EDGE_AND_CORNER; otherwise VTX_BOUNDARY_EDGE_ONLY
+    bool is_chaikin = false;         ///< CREASE_CHAIKIN; otherwise CREASE_UNIFORM
+};
+
 struct LoopSurface {
     int n_vertices = 0;  ///< all of them in some triangle
     std::vector<Triangle> triangles;
     std::vector<double> positions;  ///< (n_vertices, 3)
+    SurfaceTags tags{};
 };
 
-/// Levels 0 to max_level, in double precision; boundaries smooth (VTX_BOUNDARY_EDGE_ONLY).
+/// Levels 0 to max_level, in double precision.
 /// @throws std::runtime_error if OpenSubdiv refuses the surface
 std::vector<LoopLevel> RefineByOpenSubdiv(const LoopSurface& surface, int max_level, int max_row_level);
 

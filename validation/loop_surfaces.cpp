@@ -2,11 +2,10 @@
 // Validator loop-surfaces: triangle meshes refined by the scheme `loop` against OpenSubdiv, on surfaces of ours and on
 // OpenSubdiv's own catalogue where it is present.
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
+#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/sdc/errors.h>
 
@@ -19,13 +18,48 @@ namespace SolidSubdiv::Validation {
 
 namespace {
 
-Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vector<double>& positions) {
+Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vector<double>& positions,
+                        const SurfaceTags& tags = {}) {
     std::vector<Index> corners;
     for (const Triangle& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
     Far::TopologyDescriptor descriptor;
     descriptor.n_vertices = static_cast<Index>(positions.size() / 3);
     descriptor.triangles = corners;
-    return CompareWithLoop(descriptor, Sdc::Loop{}, triangles, positions);
+    Sdc::Loop scheme;
+    scheme.features = tags.has_sharp_corners ? Sdc::Features::Sharp : Sdc::Features::Smooth;
+    scheme.creasing = tags.is_chaikin ? Sdc::CreasingMethod::Chaikin : Sdc::CreasingMethod::Uniform;
+    return CompareWithLoop(descriptor, scheme, triangles, positions, tags);
+}
+
+/// What an OBJ file says of sharpness. OpenSubdiv's own tools start from VTX_BOUNDARY_EDGE_ONLY.
+SurfaceTags TagsOf(const Io::Mesh& mesh) {
+    const Io::Creases creases = Io::CreasesOf(mesh);
+    SurfaceTags tags;
+    for (std::size_t i = 0; i < creases.edge_vertices.size(); i += 2)
+        tags.creases.push_back({creases.edge_vertices[i], creases.edge_vertices[i + 1]});
+    tags.crease_sharpness = creases.edge_sharpness;
+    tags.corners = creases.vertices;
+    tags.corner_sharpness = creases.vertex_sharpness;
+    for (const auto& [name, value] : mesh.scheme_options) {
+        // "none" makes holes of the faces at the border; points are those of "edge-only".
+        if (name == "boundary") tags.has_sharp_corners = value == "edge-and-corner";
+        if (name == "creasing") tags.is_chaikin = value == "chaikin";
+    }
+    return tags;
+}
+
+/// The surface with tags of every kind, under both creasing methods.
+void CompareTagged(const std::string& name, const std::vector<Triangle>& triangles,
+                   const std::vector<double>& positions, std::uint32_t seed, Findings& findings) {
+    for (bool infinite : {false, true}) {
+        SurfaceTags tags = RandomTags(triangles, seed, infinite);
+        tags.has_sharp_corners = seed % 2 == 1;
+        for (bool is_chaikin : {false, true}) {
+            tags.is_chaikin = is_chaikin;
+            findings.Merge(CompareSurface(triangles, positions, tags),
+                           name + (infinite ? ", infinite tags" : ", tags") + (is_chaikin ? ", Chaikin" : ""));
+        }
+    }
 }
 
 /// A vertex where closed and open fans meet and two border edges end, or -1. There the rules differ on purpose:
@@ -61,17 +95,7 @@ int FindMixedFan(const std::vector<Triangle>& triangles) {
 }
 
 /// Why a shape of OpenSubdiv's catalogue can't be compared, or an empty text.
-std::string ReasonToSkip(const std::filesystem::path& path, const std::vector<Triangle>& triangles) {
-    std::ifstream file(path);
-    int n_tags = 0;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string keyword, tag;
-        words >> keyword >> tag;
-        // `interpolateboundary` chooses a rule for the whole surface: here both sides take the smooth one instead.
-        n_tags += keyword == "t" && tag != "interpolateboundary" && tag != "creasemethod";
-    }
-    if (n_tags > 0) return std::to_string(n_tags) + " creases or corners, which are not supported yet";
+std::string ReasonToSkip(const std::vector<Triangle>& triangles) {
     std::set<std::set<int>> sets;
     for (const Triangle& t : triangles) {
         const std::set<int> set(t.begin(), t.end());
@@ -104,12 +128,12 @@ void CompareCatalogue(const std::filesystem::path& folder, Findings& findings) {
         for (std::size_t t = 0; t < triangles.size(); ++t) {
             std::copy_n(&mesh.topology.triangles[3 * t], 3, triangles[t].begin());
         }
-        if (const std::string reason = ReasonToSkip(path, triangles); !reason.empty()) {
+        if (const std::string reason = ReasonToSkip(triangles); !reason.empty()) {
             findings.skipped.push_back(name + ": " + reason);
             continue;
         }
         try {
-            findings.Merge(CompareSurface(triangles, mesh.positions), name);
+            findings.Merge(CompareSurface(triangles, mesh.positions, TagsOf(mesh)), name);
         } catch (const Error& error) {
             findings.Fault(name + ": " + error.what());
         }
@@ -132,7 +156,15 @@ Findings ValidateLoopSurfaces(const Context& context) {
         findings.Merge(CompareSurface(shape.triangles, shape.positions), shape.name);
         ++n_shapes;
     }
-    findings.notes.push_back(std::to_string(n_shapes) + " surfaces of ours, levels 1-4");
+    int n_tagged = 0;
+    for (const SolidShape& solid : ManifoldShapes()) {
+        CompareTagged("boundary of " + solid.name, BoundaryTriangles(solid.complex), solid.positions,
+                      static_cast<std::uint32_t>(n_tagged++), findings);
+    }
+    for (const SurfaceShape& shape : OpenSurfaces())
+        CompareTagged(shape.name, shape.triangles, shape.positions, static_cast<std::uint32_t>(n_tagged++), findings);
+    findings.notes.push_back(std::to_string(n_shapes) + " surfaces of ours, levels 1-5, and " +
+                             std::to_string(4 * n_tagged) + " with random creases and corners");
     CompareCatalogue(context.osd_shapes, findings);
     return findings;
 }

@@ -21,8 +21,21 @@ std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface
     descriptor.numVertsPerFace = arities.data();
     descriptor.vertIndicesPerFace = corners.data();
 
-    OpenSubdiv::Sdc::Options options;
-    options.SetVtxBoundaryInterpolation(OpenSubdiv::Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+    const SurfaceTags& tags = surface.tags;
+    std::vector<int> crease_ends;
+    for (const auto& ends : tags.creases) crease_ends.insert(crease_ends.end(), ends.begin(), ends.end());
+    descriptor.numCreases = static_cast<int>(tags.creases.size());
+    descriptor.creaseVertexIndexPairs = crease_ends.data();
+    descriptor.creaseWeights = tags.crease_sharpness.data();
+    descriptor.numCorners = static_cast<int>(tags.corners.size());
+    descriptor.cornerVertexIndices = tags.corners.data();
+    descriptor.cornerWeights = tags.corner_sharpness.data();
+
+    using Options = OpenSubdiv::Sdc::Options;
+    Options options;
+    options.SetVtxBoundaryInterpolation(tags.has_sharp_corners ? Options::VTX_BOUNDARY_EDGE_AND_CORNER
+                                                               : Options::VTX_BOUNDARY_EDGE_ONLY);
+    options.SetCreasingMethod(tags.is_chaikin ? Options::CREASE_CHAIKIN : Options::CREASE_UNIFORM);
     using Factory = Theirs::TopologyRefinerFactory<Theirs::TopologyDescriptor>;
     std::unique_ptr<Theirs::TopologyRefiner> refiner(
         Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));

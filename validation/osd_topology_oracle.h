@@ -11,7 +11,7 @@
 
 namespace SolidSubdiv::Validation {
 
-/// Refined to max_level, with all relations in the last level too; boundaries smooth (VTX_BOUNDARY_EDGE_ONLY).
+/// Refined to max_level, with all relations in the last level too.
 /// @throws std::runtime_error if OpenSubdiv refuses the surface
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface& surface, int max_level);
 

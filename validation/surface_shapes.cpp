@@ -2,8 +2,13 @@
 // Fans, strips and sheets.
 #include "surface_shapes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <random>
+#include <set>
 
 #include "solid_shapes.h"
 
@@ -47,6 +52,41 @@ SurfaceShape Sheet(std::string name, int columns, int rows, bool wrapped) {
 }
 
 }  // namespace
+
+SurfaceTags RandomTags(const std::vector<Triangle>& triangles, std::uint32_t seed, bool infinite) {
+    std::map<std::array<int, 2>, int> faces_of_edge;
+    std::set<int> vertices;
+    for (const Triangle& t : triangles) {
+        for (int i = 0; i < 3; ++i) {
+            ++faces_of_edge[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
+            vertices.insert(t[i]);
+        }
+    }
+    std::mt19937 random(seed);
+    const std::array<float, 8> kinds{0.3f, 0.5f, 1, 1.7f, 2, 2.6f, 3.9f, 10};
+    const auto sharpness = [&] { return infinite ? 10.0f : kinds[random() % kinds.size()]; };
+    SurfaceTags tags;
+    std::map<int, int> n_semi_sharp;  // at each vertex
+    for (const auto& [edge, n_faces] : faces_of_edge) {
+        if (random() % 3 != 0) continue;
+        float s = sharpness();
+        const bool is_full = n_semi_sharp[edge[0]] == 2 || n_semi_sharp[edge[1]] == 2;
+        if (n_faces == 2 && s < 10) {
+            if (is_full)
+                s = 10;
+            else
+                for (int v : edge) ++n_semi_sharp[v];
+        }
+        tags.creases.push_back(edge);
+        tags.crease_sharpness.push_back(s);
+    }
+    for (int v : vertices) {
+        if (random() % 6 != 0) continue;
+        tags.corners.push_back(v);
+        tags.corner_sharpness.push_back(sharpness());
+    }
+    return tags;
+}
 
 std::vector<SurfaceShape> OpenSurfaces() {
     std::vector<SurfaceShape> shapes;

@@ -19,8 +19,8 @@ constexpr std::array kValidators = {
               "positions (levels 1-4) and composite rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopBoundary},
     Validator{"loop-surfaces",
-              "Loop surfaces, closed and open = OpenSubdiv's: positions (levels 1-4) and composite "
-              "rows (levels 1-3), over the shape's size",
+              "Loop surfaces, closed and open, with creases and corners = OpenSubdiv's: positions (levels 1-5) and "
+              "composite rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopSurfaces},
     Validator{"box-spline-regular",
               "inside regular blocks values and composite rows (levels 1-3) = the convolution "

@@ -115,11 +115,11 @@ TEST(LoopComparison, CatchesWarrensWeights) {
     Sdc::BoxSpline scheme;
     const auto triangles = BoundaryTriangles(shape.complex);
     try {
-        const auto loop = CompareWithLoop(cells.Descriptor(7), scheme, triangles, shape.positions, {2, 2});
+        const auto loop = CompareWithLoop(cells.Descriptor(7), scheme, triangles, shape.positions, {}, {2, 2});
         EXPECT_TRUE(loop.Passes(kTolerance)) << loop.where;
         scheme.loop_weights = Sdc::LoopWeights::Warren;
         EXPECT_FALSE(
-            CompareWithLoop(cells.Descriptor(7), scheme, triangles, shape.positions, {2, 2}).Passes(kTolerance));
+            CompareWithLoop(cells.Descriptor(7), scheme, triangles, shape.positions, {}, {2, 2}).Passes(kTolerance));
     } catch (const Unavailable& unavailable) {
         GTEST_SKIP() << unavailable.reason;
     }

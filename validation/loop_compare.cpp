@@ -169,26 +169,29 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
     }
 }
 
-Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
-                         const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const SurfaceTags& tags, const LoopLevels& levels) {
+Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                           std::span<const double> positions, const SurfaceOfMesh& start,
+                           const std::vector<LoopLevel>& oracle, int max_row_level) {
     Findings findings;
-    const TaggedMesh tagged(mesh, tags);
-    auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
-    Far::UniformRefinementOptions options;
-    options.max_level = levels.positions;
-    refiner.RefineUniform(options);
-    const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
-    const auto oracle = RefineByOpenSubdiv(start.surface, levels.positions, levels.rows);
-
     const Match match = FollowChildren(refiner, start, oracle, findings);
     CompareTriangles(refiner, oracle, match, findings);
     ComparePositions(Far::StencilTable::Create(refiner, scheme), positions, oracle, match, findings);
-    for (int l = 1; l <= levels.rows && l < static_cast<int>(match.size()); ++l) {
+    for (int l = 1; l <= max_row_level && l < static_cast<int>(match.size()); ++l) {
         const auto table = Far::StencilTable::CreateComposite(refiner, scheme, {Far::CompositeRows{l, match[l]}});
         CompareRows(table.level(1), l, start, oracle, findings);
     }
     return findings;
+}
+
+Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
+                         const std::vector<Triangle>& triangles, std::span<const double> positions,
+                         const SurfaceTags& tags, const LoopLevels& levels) {
+    const TaggedMesh tagged(mesh, tags);
+    auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = levels.positions});
+    const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
+    const auto oracle = RefineByOpenSubdiv(start.surface, levels.positions, levels.rows);
+    return CompareWithLevels(refiner, scheme, positions, start, oracle, levels.rows);
 }
 
 }  // namespace SolidSubdiv::Validation

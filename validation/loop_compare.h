@@ -56,6 +56,11 @@ struct LoopLevels {
     int rows = 3;
 };
 
+/// Follows, and compares triangles, positions at all the oracle's levels and composite rows up to max_row_level.
+Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                           std::span<const double> positions, const SurfaceOfMesh& start,
+                           const std::vector<LoopLevel>& oracle, int max_row_level);
+
 /// All of it for one mesh, under one scheme: refines, makes the tables, compares. The mesh gets the tags as creases and
 /// corners.
 /// @param tags of vertices of the mesh; creases that are edges of the triangles

@@ -13,6 +13,10 @@ namespace {
 constexpr std::string_view kSumsOfWeights =
     "sums of positive weights that add up to 1: a few units of round-off (2e-16) a level, and a hundred times that";
 
+constexpr std::string_view kSumsOfSignedWeights =
+    "sums of two dozen weights below 1 of both signs that add up to 1: a few units of round-off (2e-16) a level, and a "
+    "thousand times that";
+
 constexpr std::array kValidators = {
     Validator{"loop-boundary",
               "boundary of box-spline solids = OpenSubdiv's Loop refinement of the boundary surface: "
@@ -22,6 +26,19 @@ constexpr std::array kValidators = {
               "Loop surfaces, closed and open, with creases and corners = OpenSubdiv's: positions (levels 1-5) and "
               "composite rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopSurfaces},
+    Validator{"butterfly-surfaces",
+              "butterfly and modified butterfly surfaces, closed and open, with creases and corners = an independent "
+              "program on OpenSubdiv's topology: positions (levels 1-4) and composite rows (levels 1-3), over the "
+              "shape's size",
+              1e-12, kSumsOfSignedWeights, ValidateButterflySurfaces},
+    Validator{"butterfly-boundary",
+              "boundary of interpolatory solids = that program's butterflies of the boundary surface: positions "
+              "(levels 1-3) and composite rows (levels 1-2), over the shape's size",
+              1e-12, kSumsOfSignedWeights, ValidateButterflyBoundary},
+    Validator{
+        "butterfly-programs",
+        "modified butterfly surfaces, closed = OpenMesh's and VTK's: positions (levels 1-3), over the shape's size",
+        1e-12, kSumsOfSignedWeights, ValidateButterflyPrograms},
     Validator{"box-spline-regular",
               "inside regular blocks values and composite rows (levels 1-3) = the convolution "
               "mask; limits = the closed form of N(2,2,2,2); values of size 1",

@@ -56,6 +56,9 @@ std::string HtmlOf(const std::vector<Outcome>& outcomes);
 // The validators, one a file.
 Findings ValidateLoopBoundary(const Context& context);
 Findings ValidateLoopSurfaces(const Context& context);
+Findings ValidateButterflySurfaces(const Context& context);
+Findings ValidateButterflyBoundary(const Context& context);
+Findings ValidateButterflyPrograms(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);

@@ -40,19 +40,24 @@ class ButterflyRow {
   private:
     /// Fills from the rings of the ends that are not regular; false if both are.
     bool FillFromFans() {
-        std::array<Fan, 2> fans;
-        std::array<bool, 2> has_own_ring;
+        std::array<bool, 2> has_own_ring{false, false};
         for (int i = 0; i < 2; ++i) {
-            has_own_ring[i] = false;
             if (walk_.IsRegularInside(ends_[i])) continue;
-            fans[i] = walk_.FanAt(ends_[i], e_);
-            has_own_ring[i] = fans[i].n_triangles() != (fans[i].is_closed ? 6 : 3);
+            fans_[i] = walk_.FanAt(ends_[i], e_);
+            has_own_ring[i] = !IsRegular(fans_[i], ends_[i]);
         }
         const int n_rings = has_own_ring[0] + has_own_ring[1];
         for (int i = 0; i < 2; ++i) {
-            if (has_own_ring[i]) AddRing(ends_[i], fans[i], rule_.pull / n_rings);
+            if (has_own_ring[i]) AddRing(ends_[i], fans_[i], rule_.pull / n_rings);
         }
         return n_rings > 0;
+    }
+
+    /// Three triangles at a border are regular where the border runs through; at its end the regular rule would let
+    /// slopes grow from level to level (docs/butterfly-boundaries.md).
+    bool IsRegular(const Fan& fan, Index v) const {
+        if (fan.is_closed) return fan.n_triangles() == 6;
+        return fan.n_triangles() == 3 && walk_.NextOnCurve(fan.border, v) != kNoIndex;
     }
 
     void AddRing(Index v, const Fan& fan, double share) {
@@ -69,8 +74,7 @@ class ButterflyRow {
         const SurfaceWalk::Faces faces = walk_.FacesAt(e_);
         std::array<Index, 2> opposite;
         std::array<std::array<Index, 2>, 2> wing, wing_face;  // of face i, across the edge at end k
-        bool has_far = rule_.is_modified && rule_.far_weight != 0 && walk_.IsRegularInside(ends_[0]) &&
-                       walk_.IsRegularInside(ends_[1]);
+        bool has_far = rule_.is_modified && rule_.far_weight != 0;
         for (int i = 0; i < 2; ++i) {
             const Index f = i == 0 ? faces.first : faces.second;
             opposite[i] = level_.ThirdVertex(f, e_);
@@ -84,9 +88,8 @@ class ButterflyRow {
         }
         std::array<Index, 2> far{kNoIndex, kNoIndex};
         for (int k = 0; k < 2 && has_far; ++k) {
-            const Index beyond = walk_.EdgeOpposite(wing_face[0][k], opposite[0]);  // from the end to its wing
-            has_far = !walk_.EndsSurface(beyond);
-            if (has_far) far[k] = level_.ThirdVertex(walk_.Across(beyond, wing_face[0][k]), beyond);
+            far[k] = FarPoint(k, opposite[0], wing_face[0][k]);
+            has_far = far[k] != kNoIndex;
         }
 
         const Sdc::ButterflyWeights w = rule_.Regular(has_far);
@@ -107,12 +110,20 @@ class ButterflyRow {
         for (int k = 0; k < 2 && has_far; ++k) row_.Add(far[k], rule_.pull * w.far);
     }
 
+    /// The vertex straight on beyond end k, or kNoIndex at a border.
+    Index FarPoint(int k, Index opposite, Index wing_face) const {
+        if (!fans_[k].ring.empty()) return fans_[k].is_closed ? fans_[k].ring[3] : kNoIndex;
+        const Index to_wing = walk_.EdgeOpposite(wing_face, opposite);
+        return level_.ThirdVertex(walk_.Across(to_wing, wing_face), to_wing);
+    }
+
     const Level& level_;
     const SurfaceWalk walk_;
     const Sdc::ButterflySurface& rule_;
     RowEntries<Real>& row_;
     Index e_;
     std::array<Index, 2> ends_;
+    std::array<Fan, 2> fans_;  // modified: of ends that are not plainly regular
 };
 
 /// The 4-point rule; at a curve's end the three points nearest. @pre e follows the curve rule or is a crease

@@ -22,6 +22,7 @@ struct Fan {
     bool is_closed = false;
     std::vector<Index> ring;  ///< the other vertices, in order; closed: from the edge asked for
     int place = 0;            ///< of the edge asked for in the ring
+    Index border = kNoIndex;  ///< open: one of the two edges that end the fan
 
     int n_triangles() const { return static_cast<int>(ring.size()) - !is_closed; }
 };
@@ -82,6 +83,7 @@ class SurfaceWalk {
             fan.ring.insert(fan.ring.end(), before.rbegin(), before.rend());
             return fan;
         }
+        fan.border = start;
         fan.place = static_cast<int>(before.size());
         fan.ring.insert(fan.ring.begin(), before.rbegin(), before.rend());
         return fan;

@@ -279,4 +279,41 @@ TEST(LawsTest, AveragedHasAll24SymmetriesOfTheTetrahedron) {
     EXPECT_EQ(n, 24);
 }
 
+// A turn or reflection of a tet that keeps the two edges of its diagonal, or swaps them, keeps the refined points.
+TEST(LawsTest, SymmetriesThatKeepTheDiagonalKeepThePoints) {
+    Shape tet = TestShapes::SingleTet();
+    tet.positions = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};  // regular
+    for (const auto& [name, scheme] : AllSchemes()) {
+        if (!IsSolid(scheme)) continue;
+        SCOPED_TRACE(name);
+        const auto points = [&, &s = scheme](const std::array<Index, 4>& order) {
+            Shape turned = tet;
+            for (int i = 0; i < 4; ++i)
+                std::copy_n(tet.positions.begin() + 3 * order[i], 3, turned.positions.begin() + 3 * i);
+            return SortedPoints(Apply(Far::StencilTable::Create(Refined(turned, 3), s), turned.positions));
+        };
+        std::array<Index, 4> order{0, 1, 2, 3};
+        const auto expected = points(order);
+        int n_kept = 0, n_others = 0;
+        do {
+            const bool keeps_diagonal = order[0] + order[1] == 1 || order[0] + order[1] == 5;
+            const auto got = points(order);
+            bool is_same = true;
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                for (int k = 0; k < 3; ++k) is_same = is_same && std::abs(got[i][k] - expected[i][k]) < 1e-9;
+            }
+            if (keeps_diagonal) {
+                EXPECT_TRUE(is_same);
+            }
+            n_kept += keeps_diagonal;
+            n_others += !keeps_diagonal && !is_same;
+        } while (std::next_permutation(order.begin(), order.end()));
+        EXPECT_EQ(n_kept, 8);
+        const bool is_directional = name.find("box-spline directional") != std::string::npos;
+        if (is_directional) {
+            EXPECT_EQ(n_others, 16) << "other turns do not: the test can tell";
+        }
+    }
+}
+
 }  // namespace

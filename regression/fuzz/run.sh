@@ -31,9 +31,10 @@ totals() { # FOLDER
 }
 
 run_one() { # TARGET SECONDS
-    local folder options=() status=0 executions coverage seconds=$2 slice=$2 had=0 used
+    local folder options=() status=0 executions coverage seconds=$2 slice=$2 timeout=25 had=0 used
     if [ -n "${FUZZ_KEEP:-}" ]; then
         folder=$FUZZ_KEEP/$1
+        timeout=300  # of the clock, which runs on where others have the processor
         read -r had _ <<< "$(totals "$folder")"
         seconds=$(($2 - had))
     else
@@ -47,7 +48,7 @@ run_one() { # TARGET SECONDS
     while [ "$seconds" -gt 0 ] && [ "$status" -eq 0 ]; do
         TIMEFORMAT='%U %S'
         if [ -n "${FUZZ_KEEP:-}" ]; then slice=$((seconds < 600 ? seconds : 600)); fi
-        used=$({ time "$bin/$1" "$folder/seeds" -max_total_time="$slice" -rss_limit_mb=2048 -timeout=25 \
+        used=$({ time "$bin/$1" "$folder/seeds" -max_total_time="$slice" -rss_limit_mb=2048 -timeout="$timeout" \
             -print_final_stats=1 -use_value_profile=1 -artifact_prefix="$folder/" "${options[@]}" > "$folder/log" 2>&1; } 2>&1) \
             || status=$?
         executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log")

@@ -167,7 +167,8 @@ class Rows {
                 return row.size();
             }
         }
-        return is_sharp ? FillSharpEdge(e, indices, weights) : FillNarrowEdge(e, indices, weights);
+        const bool is_linear = Surface::kVerticesStay;  // nothing is smoother than sharp
+        return is_sharp && !is_linear ? FillSharpEdge(e, indices, weights) : FillNarrowEdge(e, indices, weights);
     }
 
     template <class Real>

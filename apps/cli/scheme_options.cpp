@@ -84,8 +84,9 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
 SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,
                               bool is_solid) {
     const Sdc::Scheme scheme = NamedScheme(options, is_solid);
-    for (auto [name, value] : file) {
-        if (name == "boundary") {  // the names that files use for it
+    for (const auto& option : file) {
+        std::string name = option.first, value = option.second;
+        if (name == "boundary") {  // what files call it
             name = "features";
             value = value == "edge-and-corner" ? "sharp" : "smooth";
         }

@@ -302,7 +302,9 @@ void AddOutputOptions(CLI::App& command, RefineOptions& o) {
                     "control vertices (columns) as a Matrix Market file")
         ->option_text("FILE");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
-    command.add_option("--picture", o.picture, "draw the control lattice, level 1, a cut and a slice, as a PNG")
+    command
+        .add_option("--picture", o.picture,
+                    "draw levels as a PNG; of solids a cut and a slice too,\nof surfaces reflection lines")
         ->option_text("FILE");
 #endif
 }

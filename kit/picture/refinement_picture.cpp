@@ -142,6 +142,8 @@ Scene SliceScene(const Io::Mesh& mesh, const Plane& plane, const Io::Attribute* 
     return scene;
 }
 
+constexpr int kStripes = 20;
+
 std::string LevelName(std::size_t level) { return "level " + std::to_string(level); }
 
 }  // namespace
@@ -179,6 +181,9 @@ Image RefinementPicture(std::span<const Io::Mesh* const> levels, const Refinemen
         const std::vector<Index> skin = VisibleTriangles(*levels[last]);
         scenes.emplace_back().Add(Surface{.positions = levels[last]->positions, .triangles = skin});
         captions.push_back(LevelName(last));
+        scenes.emplace_back().Add(Surface{
+            .positions = levels[last]->positions, .triangles = skin, .material = {.gloss = 0, .stripes = kStripes}});
+        captions.push_back(LevelName(last) + ", reflection lines");
     }
 
     std::vector<ScenePanel> panels;

@@ -90,6 +90,9 @@ Scene& Scene::Add(const Surface& surface) {
     if (!(material.crease_angle >= 0 && material.crease_angle <= 180)) {
         Refuse("crease_angle: ", material.crease_angle, " degrees; must be from 0 to 180");
     }
+    if (material.stripes < 0 || material.stripes > 1000) {
+        Refuse("stripes: ", material.stripes, "; must be from 0 to 1000");
+    }
     if (!(material.gloss >= 0 && material.gloss <= 1)) Refuse("gloss: ", material.gloss, "; must be from 0 to 1");
     data_->surfaces.push_back({.positions = std::move(positions),
                                .triangles = std::move(triangles),

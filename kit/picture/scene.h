@@ -22,6 +22,8 @@ struct Material {
     bool smooth = true;        ///< normals vary over triangles; otherwise every triangle is flat
     double crease_angle = 40;  ///< degrees, [0, 180]: neighbours that meet at more than this stay apart when smooth
     double gloss = 0.25;       ///< [0, 1]: strength of the highlight
+    int stripes = 0;  ///< [0, 1000]: reflection lines, so many dark ones from below to above. Where tangent planes jump
+                      ///< the lines break, where curvature jumps they have corners
 };
 
 /// A triangle mesh. Which way triangles face does not matter, but neighbours should agree where shading is smooth.

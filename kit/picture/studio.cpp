@@ -31,6 +31,17 @@ float Shoulder(float x) {
 /// From 0 to 1 without corners.
 float Smooth(float x) { return x * x * (3 - 2 * x); }
 
+constexpr float kStripeEdge = 0.25f;  // how soft stripes end, 1: like a sine
+constexpr float kStripeDark = 0.12f;  // share of the colour that is left
+
+/// What a mirror with this normal would show of `n` dark tubes that lie around the scene, all along `right`: 0 to 1.
+float StripeBrightness(int n, Vec3f normal, Vec3f direction, Vec3f right, Vec3f up) {
+    const Vec3f mirrored = direction - (2 * Dot(direction, normal)) * normal;
+    const float angle = std::atan2(Dot(mirrored, up), Dot(mirrored, Cross(right, up)));
+    const float wave = std::cos(static_cast<float>(n) * angle) / kStripeEdge;
+    return kStripeDark + (1 - kStripeDark) * Smooth(std::clamp(0.5f + 0.5f * wave, 0.f, 1.f));
+}
+
 }  // namespace
 
 Studio::Studio(const Scene& scene, const Camera& camera, const RenderOptions& options)
@@ -65,6 +76,10 @@ Fragment Studio::Look(float x, float y) const {
         fragment.origin = hit.origin;
         fragment.normal = hit.normal;
         fragment.gloss = hit.gloss;
+        if (hit.stripes > 0) {
+            fragment.color =
+                StripeBrightness(hit.stripes, hit.normal, fragment.direction, right_, up_) * fragment.color;
+        }
         return fragment;
     }
     const float mix = std::clamp(down, 0.f, 1.f);

@@ -194,6 +194,7 @@ bool TracedScene::Intersect(Vec3f origin, Vec3f direction, Hit& hit) const {
     hit.normal = hit.facing;
     hit.color = part.color;
     hit.gloss = 0.15f;
+    hit.stripes = 0;
     hit.shaded = part.shaded;
     if (part.surface != nullptr) {
         const SurfaceData& surface = *part.surface;
@@ -201,6 +202,7 @@ bool TracedScene::Intersect(Vec3f origin, Vec3f direction, Hit& hit) const {
         const Index* v = &surface.triangles[3 * triangle];
         const float u = query.hit.u, w = query.hit.v;
         hit.gloss = static_cast<float>(surface.material.gloss);
+        hit.stripes = surface.material.stripes;
         hit.color = !surface.values.empty()            ? MapColor(surface, v, u, w)
                     : !surface.triangle_colors.empty() ? surface.triangle_colors[triangle]
                                                        : surface.material.color;

@@ -18,6 +18,7 @@ struct Hit {
     Vec3f facing;  ///< unit, of the flat triangle, towards the ray's origin
     Color color;
     float gloss = 0;
+    int stripes = 0;
     bool shaded = true;  ///< false: `color` is the result
 };
 

@@ -171,7 +171,7 @@ TEST(RefinementPictureTest, UnknownAttributesAndMissingLevelsAreRefused) {
     EXPECT_THROW(RefinementPicture({}, options), InvalidInput);
 }
 
-TEST(RefinementPictureTest, SurfacesAreShownWithoutCuts) {
+TEST(RefinementPictureTest, SurfacesAreShownWithReflectionLinesInsteadOfCuts) {
     const Triangles coarse = MakeSphere(1), fine = MakeSphere(3);
     Io::Mesh meshes[3];
     for (int i = 0; i < 3; ++i) {
@@ -184,7 +184,18 @@ TEST(RefinementPictureTest, SurfacesAreShownWithoutCuts) {
     RefinementPictureOptions options;
     options.render = {.width = 50, .height = 40};
     options.panels = {.gap = 0};
-    EXPECT_EQ(RefinementPicture(levels, options).width(), 150);
+    const Image image = RefinementPicture(levels, options);
+    ASSERT_EQ(image.width(), 200);
+    const auto n_dark = [&](int left) {
+        int n = 0;
+        for (int y = 0; y < 40; ++y) {
+            for (int x = left; x < left + 50; ++x) n += image.At(x, y).g < 0.4f ? 1 : 0;
+        }
+        return n;
+    };
+    EXPECT_EQ(n_dark(100), 0);
+    EXPECT_GT(n_dark(150), 100);
+    EXPECT_EQ(RefinementPicture(std::span(levels).first(2), options).width(), 100);
 }
 
 }  // namespace

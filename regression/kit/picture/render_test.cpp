@@ -59,6 +59,63 @@ TEST(RenderTest, StrokesKeepTheirColourAndTheBackgroundIsAsAsked) {
     EXPECT_NEAR(image.At(0, 64).r, bottom.r, 0.05);
 }
 
+TEST(RenderTest, ReflectionLinesOfAPlaneAreLevelAndWhereTheMirrorLawPutsThem) {
+    const Triangles square = MakeSquare(0, 3);
+    const auto render = [&](int stripes) {
+        Scene scene;
+        Material material = Matt({0.5f, 0.5f, 0.5f});
+        material.stripes = stripes;
+        scene.Add(Surface{.positions = square.positions, .triangles = square.triangles, .material = material});
+        RenderOptions options = Plain(100, 401);
+        options.light_rays = 0;
+        return Render(scene, CameraOnZ(4, 0.125, 0.50125), options);  // a pixel is 0.0025 at distance 1
+    };
+    const Image image = render(24), without = render(0);
+    const auto brightness = [&](int x, int y) {
+        return Internal::DecodeSrgb(image.At(x, y).g) / Internal::DecodeSrgb(without.At(x, y).g);
+    };
+    // Seen at the angle a above the axis a plane mirrors what is at the angle a above it: a dark stripe's middle where
+    // 24 a is an odd number of half turns.
+    for (int half_turns : {-3, -2, -1, 0, 1, 2, 3}) {
+        const int y = 200 - static_cast<int>(std::lround(std::tan(half_turns * kPi / 24) / 0.0025));
+        for (int x : {0, 50, 99}) {
+            if (half_turns % 2 == 0) {
+                EXPECT_NEAR(brightness(x, y), 1, 0.02) << half_turns;
+            } else {
+                EXPECT_LT(brightness(x, y), 0.2) << half_turns;
+            }
+        }
+    }
+}
+
+TEST(RenderTest, ReflectionLinesBreakAtARidge) {
+    // Two squares that meet at the given angle on the line x = 0; stripes to both sides of it, along the line.
+    const auto changes = [](double degrees) {
+        const double rise = std::tan(degrees * kPi / 360);
+        const std::vector<double> points = {-1, -1, -rise, -1, 1, -rise, 0, -1, 0, 0, 1, 0, 1, -1, -rise, 1, 1, -rise};
+        const std::vector<Index> triangles = {0, 2, 1, 1, 2, 3, 2, 4, 3, 3, 4, 5};
+        Scene scene;
+        scene.Add(Surface{
+            .positions = points, .triangles = triangles, .material = {.smooth = false, .gloss = 0, .stripes = 40}});
+        Camera camera = CameraOnZ(4, 0.2, 0.2);
+        camera.right = {0.8, 0.6, 0};  // stripes run at an angle to the ridge
+        camera.up = {-0.6, 0.8, 0};
+        camera.world_up = camera.up;
+        RenderOptions options = Plain(200, 200);
+        options.light_rays = 0;
+        const Image image = Render(scene, camera, options);
+        int n = 0;
+        for (int i = -80; i <= 80; ++i) {  // up along the ridge, 4 pixels to both sides
+            const double x = 100 + 0.6 * i, y = 100 - 0.8 * i;
+            const Color left = image.At(static_cast<int>(x - 3.2), static_cast<int>(y - 2.4)),
+                        right = image.At(static_cast<int>(x + 3.2), static_cast<int>(y + 2.4));
+            n += std::abs(left.g - right.g) > 0.2f ? 1 : 0;
+        }
+        return n;
+    };
+    EXPECT_GT(changes(10), 2 * changes(0) + 20);
+}
+
 TEST(RenderTest, EmptySceneIsBackground) {
     const Image image = Render(Scene(), CameraOnZ(5, 0.5, 0.5), {.width = 20, .height = 10});
     EXPECT_EQ(image, Image(20, 10, {1, 1, 1}));

@@ -47,6 +47,8 @@ TEST(SceneTest, BadInputIsRefusedByNameAndPlace) {
     EXPECT_THAT(Refusal(Surface{.positions = p, .triangles = t, .material = {.crease_angle = 181}}),
                 HasSubstr("crease_angle: 181"));
     EXPECT_THAT(Refusal(Surface{.positions = p, .triangles = t, .material = {.gloss = -1}}), HasSubstr("gloss: -1"));
+    EXPECT_THAT(Refusal(Surface{.positions = p, .triangles = t, .material = {.stripes = 1001}}),
+                HasSubstr("stripes: 1001"));
     EXPECT_THAT(Refusal(Surface{.positions = p, .triangles = t, .low = NAN}), HasSubstr("range of values"));
     EXPECT_THAT(Refusal(Lines{.positions = p, .edges = std::span(outside).subspan(2)}),
                 HasSubstr("edge 1 names point 3 of 3"));

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures of docs/schemes/: spectra of the interpolating schemes by tension, by valence and across faces.
+#include <gtest/gtest.h>
+#include <solidsubdiv/kit/analysis/spectrum.h>
+#include <solidsubdiv/kit/analysis/subdivision_matrix.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "test_shapes.h"
+
+namespace {
+
+using namespace SolidSubdiv;
+using namespace SolidSubdiv::Analysis;
+
+constexpr double kQuoted = 5e-4;  // three digits
+
+Smoothness RegularSmoothness(const Sdc::Scheme& scheme) {
+    const bool is_solid = std::holds_alternative<Sdc::Interpolatory>(scheme);
+    return VerdictOf(SpectrumOf(RegularLocalMatrix(scheme)), is_solid ? 3 : 2).smoothness;
+}
+
+/// The moduli after the eigenvalue 1.
+std::vector<double> After1(const Spectrum& spectrum) {
+    std::vector<double> moduli;
+    for (const Eigenvalue& e : spectrum) {
+        moduli.insert(moduli.end(), static_cast<std::size_t>(e.multiplicity), std::abs(e.value));
+    }
+    moduli.erase(moduli.begin());
+    return moduli;
+}
+
+// docs/schemes/interpolatory.md: an eigenvalue 12 w - 1/2 in modulus passes 1/2 at w = 1/12.
+TEST(DocumentedSpectra, OfInterpolatorySolidsAreC1BelowOneTwelfth) {
+    for (double w : {0.001, 1.0 / 32, 1.0 / 16, 0.07, 0.083}) {
+        EXPECT_EQ(RegularSmoothness(Sdc::Interpolatory{.tension = w}), Smoothness::C1) << w;
+    }
+    for (double w : {0.0, 0.0834, 0.09, 0.12}) {
+        EXPECT_EQ(RegularSmoothness(Sdc::Interpolatory{.tension = w}), Smoothness::C0) << w;
+    }
+}
+
+// docs/schemes/butterfly.md, of the far points' weight.
+TEST(DocumentedSpectra, OfTheModifiedButterflyAreC1FromMinusOneSixteenthToOneTwentyFourth) {
+    for (double w : {-0.0624, -1.0 / 32, 0.0, 1.0 / 32, 0.0416}) {
+        EXPECT_EQ(RegularSmoothness(Sdc::ModifiedButterfly{.far_weight = w}), Smoothness::C1) << w;
+    }
+    for (double w : {-1.0 / 16, 0.0418, 1.0 / 16}) {
+        EXPECT_EQ(RegularSmoothness(Sdc::ModifiedButterfly{.far_weight = w}), Smoothness::C0) << w;
+    }
+}
+
+Spectrum AroundApex(int n, const Sdc::Scheme& scheme) {
+    const TestShapes::Shape disc = TestShapes::Disc(n, 3);
+    auto refiner =
+        Far::TopologyRefiner::Create({.n_vertices = disc.n_vertices, .triangles = disc.triangles}, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = 4});
+    return SpectrumOf(MatrixAround(refiner, 0, 0, scheme).value());
+}
+
+// docs/schemes/butterfly.md: the eight-point rule by valence, the two largest pairs.
+TEST(DocumentedSpectra, OfTheButterflyByValence) {
+    const std::map<int, std::array<double, 2>> quoted = {{4, {0.469, 0.250}},  {5, {0.507, 0.250}}, {6, {0.5, 0.25}},
+                                                         {7, {0.482, 0.406}},  {8, {0.469, 0.462}}, {9, {0.497, 0.444}},
+                                                         {10, {0.507, 0.429}}, {12, {0.500, 0.469}}};
+    for (const auto& [n, pairs] : quoted) {
+        const std::vector<double> moduli = After1(AroundApex(n, Sdc::Butterfly{}));
+        EXPECT_NEAR(moduli[0], pairs[0], kQuoted) << n;
+        EXPECT_NEAR(moduli[1], pairs[0], kQuoted) << n;
+        EXPECT_NEAR(moduli[2], pairs[1], kQuoted) << n;
+    }
+    // Valence 3: seven alike, so that the height shrinks no faster than the two others.
+    const Spectrum at_3 = AroundApex(3, Sdc::Butterfly{});
+    EXPECT_EQ(SpectrumText(at_3).substr(0, 10), "1, 1/4 x 7");
+    EXPECT_EQ(VerdictOf(at_3, 2).smoothness, Smoothness::C0);
+    // What goes round twice at valence 2n goes round once at valence n: at 8, 10 and 12 that is the largest pair.
+    for (int n : {4, 5, 6}) {
+        EXPECT_NEAR(After1(AroundApex(n, Sdc::Butterfly{}))[0], After1(AroundApex(2 * n, Sdc::Butterfly{}))[0], 1e-4)
+            << n;
+    }
+}
+
+/// Around a vertex inside the face of two tets, which choose the same of its edges for their B edges or not.
+Spectrum InsideAFace(bool is_matched, const Sdc::Scheme& scheme) {
+    const std::vector<Index> tets =
+        is_matched ? std::vector<Index>{0, 1, 2, 3, 1, 0, 2, 4} : std::vector<Index>{0, 1, 2, 3, 2, 0, 1, 4};
+    auto refiner = Far::TopologyRefiner::Create({.n_vertices = 5, .tets = tets}, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = 5});
+    const auto middle = [&](int level, Index a, Index b) {
+        return refiner.level(level).n_vertices + refiner.level(level).FindEdge(a, b);
+    };
+    const Index inside = middle(1, middle(0, 0, 1), middle(0, 0, 2));
+    return SpectrumOf(MatrixAround(refiner, 2, inside, scheme).value());
+}
+
+// docs/schemes/interpolatory.md and box-spline.md.
+TEST(DocumentedSpectra, InsideOriginalFacesAreRegularWhereTheTetsMatch) {
+    const Sdc::Scheme interpolatory = Sdc::Interpolatory{}, box_spline = Sdc::BoxSpline{};
+    for (const Sdc::Scheme& scheme : {interpolatory, box_spline}) {
+        EXPECT_EQ(SpectrumText(InsideAFace(true, scheme)), SpectrumText(SpectrumOf(RegularLocalMatrix(scheme))));
+    }
+    EXPECT_NEAR(After1(InsideAFace(false, interpolatory))[0], 0.698, kQuoted);
+    EXPECT_NEAR(After1(InsideAFace(false, box_spline))[0], 0.512, kQuoted);
+}
+
+}  // namespace

@@ -103,6 +103,9 @@ TEST(DocumentedSpectra, InsideOriginalFacesAreRegularWhereTheTetsMatch) {
         EXPECT_EQ(SpectrumText(InsideAFace(true, scheme)), SpectrumText(SpectrumOf(RegularLocalMatrix(scheme))));
     }
     EXPECT_NEAR(After1(InsideAFace(false, interpolatory))[0], 0.698, kQuoted);
+    for (double modulus : After1(InsideAFace(false, interpolatory))) {
+        EXPECT_GT(std::abs(modulus - 0.5), 5e-3) << "linear functions are not reproduced";
+    }
     EXPECT_NEAR(After1(InsideAFace(false, box_spline))[0], 0.512, kQuoted);
 }
 

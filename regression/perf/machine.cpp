@@ -70,13 +70,34 @@ void MemoryCopy::Run() {
 
 double MemoryCopy::Bytes() const { return 2.0 * static_cast<double>(from_.size()); }
 
+namespace {
+
+struct Threshold {
+    int option;
+    const char* variable;
+    int goes_back, is_kept;
+};
+constexpr Threshold kThresholds[] = {
+    {M_MMAP_THRESHOLD, "MALLOC_MMAP_THRESHOLD_", 128 << 10, 128 << 10},  // glibc's start; set, it no longer moves
+    {M_MMAP_MAX, "MALLOC_MMAP_MAX_", 65536, 0},
+    {M_TRIM_THRESHOLD, "MALLOC_TRIM_THRESHOLD_", 128 << 10, std::numeric_limits<int>::max()},
+    {M_TOP_PAD, "MALLOC_TOP_PAD_", 0, 256 << 20},
+};
+
+}  // namespace
+
 void SetFreed(Freed freed) {
-    const bool is_kept = freed == Freed::IsKept;
-    mallopt(M_MMAP_THRESHOLD, 128 << 10);  // glibc's own start; set, it no longer moves with what was freed before
-    mallopt(M_MMAP_MAX, is_kept ? 0 : 65536);
-    mallopt(M_TRIM_THRESHOLD, is_kept ? std::numeric_limits<int>::max() : 128 << 10);
-    mallopt(M_TOP_PAD, is_kept ? 256 << 20 : 0);
-    if (!is_kept) malloc_trim(0);
+    for (const Threshold& t : kThresholds) mallopt(t.option, freed == Freed::IsKept ? t.is_kept : t.goes_back);
+    if (freed == Freed::GoesBack) malloc_trim(0);
+}
+
+std::vector<std::string> EnvironmentOf(Freed freed) {
+    std::vector<std::string> variables;
+    for (const Threshold& t : kThresholds) {
+        variables.push_back(std::string(t.variable) + "=" +
+                            std::to_string(freed == Freed::IsKept ? t.is_kept : t.goes_back));
+    }
+    return variables;
 }
 
 double ResidentBytes() {

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <solidsubdiv/sdc/types.h>
 
@@ -44,6 +45,8 @@ enum class Freed {
     IsKept     ///< by the process: runs find pages that are there already, and no candidate pays for them
 };
 void SetFreed(Freed freed);
+/// The same for a process to be started: its environment, NAME=VALUE.
+std::vector<std::string> EnvironmentOf(Freed freed);
 
 /// Bytes of memory that the process holds at the moment, what it has freed given back first.
 double ResidentBytes();

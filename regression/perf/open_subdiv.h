@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "perf/surface_peers.h"
 #include "test_shapes.h"
 
 namespace SolidSubdiv::Perf {
@@ -32,8 +33,8 @@ class OpenSubdivSurface {
 
     /// What its tables hold, for the report.
     std::string Describe();
-    /// @throws std::runtime_error if the sum of the interpolated points is not that of `points`
-    void RequireSame(const std::vector<float>& points) const;
+    /// Of the interpolated points.
+    PointSums Sums() const;
 
   private:
     struct State;

@@ -22,12 +22,21 @@ double Median(std::vector<double> v) {
     return v.size() % 2 ? v[middle] : (v[middle - 1] + v[middle]) / 2;
 }
 
+/// Counters of what ran in another process.
+constexpr const char *kPassed = "passed", *kRan = "ran";
+
 /// One turn.
 void TakeTurn(benchmark::State& state, const Candidate& candidate) {
     const Sdc::ThreadLimit limit(candidate.n_threads);
     for (auto unused : state) {
         static_cast<void>(unused);
-        candidate.run();
+        if (candidate.run_apart) {
+            const Seconds seconds = candidate.run_apart();
+            state.counters[kPassed] = seconds.passed;
+            state.counters[kRan] = seconds.ran;
+        } else {
+            candidate.run();
+        }
         state.PauseTiming();
         if (candidate.clear) candidate.clear();
         state.ResumeTiming();
@@ -43,8 +52,9 @@ class Collector : public benchmark::BenchmarkReporter {
         for (const Run& run : runs) {
             if (run.run_type != Run::RT_Iteration) continue;
             Result& result = results_[static_cast<std::size_t>(run.family_index)];
-            result.passed.push_back(run.real_accumulated_time);
-            result.ran.push_back(run.cpu_accumulated_time);
+            const bool ran_apart = run.counters.contains(kRan);
+            result.passed.push_back(ran_apart ? run.counters.at(kPassed).value : run.real_accumulated_time);
+            result.ran.push_back(ran_apart ? run.counters.at(kRan).value : run.cpu_accumulated_time);
         }
     }
 
@@ -86,7 +96,7 @@ void Race::Run(int turns) {
     benchmark::ClearRegisteredBenchmarks();
     for (const Result& r : results_) {
         const Sdc::ThreadLimit limit(r.candidate.n_threads);
-        r.candidate.run();
+        r.candidate.run_apart ? static_cast<void>(r.candidate.run_apart()) : r.candidate.run();
         if (r.candidate.clear) r.candidate.clear();
         benchmark::RegisterBenchmark(r.candidate.name.c_str(), TakeTurn, r.candidate)
             ->Iterations(1)
@@ -97,25 +107,26 @@ void Race::Run(int turns) {
     benchmark::ClearRegisteredBenchmarks();
     for (Result& r : results_) {
         const int n_threads = r.candidate.n_threads;
-        r.median_seconds = Median(r.Seconds(n_threads));
+        r.median_seconds = Median(r.SecondsBeside(n_threads));
         for (const std::string& name : r.candidate.peers) {
             const Result& peer = *Find(name);
-            const auto& ours = r.Seconds(peer.candidate.n_threads);
-            const auto& theirs = peer.Seconds(n_threads);
+            const auto& ours = r.SecondsBeside(peer.candidate.n_threads);
+            const auto& theirs = peer.SecondsBeside(n_threads);
             std::vector<double> ratios;
             for (std::size_t i = 0; i < ours.size(); ++i) {
                 ratios.push_back(theirs[i] / ours[i] * (r.candidate.work / peer.candidate.work));
             }
             r.speed_ratios.push_back(Median(ratios));
         }
-        const auto& seconds = r.Seconds(n_threads);
-        const auto& copied = Find(CopyName(n_threads))->Seconds(n_threads);
+        const auto& seconds = r.SecondsBeside(n_threads);
+        const auto& copied = Find(CopyName(n_threads))->SecondsBeside(n_threads);
         std::vector<double> shares;
         for (std::size_t i = 0; i < seconds.size(); ++i) {
             shares.push_back(r.candidate.moved_bytes / seconds[i] / (copy.Bytes() / copied[i]));
         }
         r.bandwidth_share = Median(shares);
         r.candidate.run = nullptr;  // and what the closures hold
+        r.candidate.run_apart = nullptr;
         r.candidate.clear = nullptr;
     }
 }

@@ -13,16 +13,22 @@
 
 namespace SolidSubdiv::Perf {
 
+struct Seconds {
+    double passed = 0;  ///< on the wall
+    double ran = 0;     ///< on a processor
+};
+
 struct Candidate {
     std::string name;
     int n_threads = 1;
     std::function<void()> run{};
-    double work = 0;                   ///< units done in a run
-    std::string unit{};                ///< of work: "cells"
-    std::vector<std::string> peers{};  ///< names of candidates to compare with
-    double moved_bytes = 0;            ///< that a run must at least read and write; 0: not counted
-    double kept_bytes = 0;             ///< of memory that the result takes; 0: not counted
-    std::function<void()> clear{};     ///< frees the result, after the clock has stopped
+    std::function<Seconds()> run_apart{};  ///< instead of run: runs in another process and tells how long it took
+    double work = 0;                       ///< units done in a run
+    std::string unit{};                    ///< of work: "cells"
+    std::vector<std::string> peers{};      ///< names of candidates to compare with
+    double moved_bytes = 0;                ///< that a run must at least read and write; 0: not counted
+    double kept_bytes = 0;                 ///< of memory that the result takes; 0: not counted
+    std::function<void()> clear{};         ///< frees the result, after the clock has stopped
 };
 
 struct Result {
@@ -33,7 +39,7 @@ struct Result {
     double bandwidth_share = 0;           ///< median of (bytes moved a second) over (bytes copied a second)
 
     /// The seconds to compare with a candidate of n threads.
-    const std::vector<double>& Seconds(int n_threads_of_peer) const {
+    const std::vector<double>& SecondsBeside(int n_threads_of_peer) const {
         return candidate.n_threads == 1 && n_threads_of_peer == 1 ? ran : passed;
     }
 };

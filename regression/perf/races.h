@@ -17,6 +17,9 @@ Race RaceTets(const RaceSettings& settings);
 /// Twice: every candidate on fresh memory, and on memory that the process kept.
 Race RaceTrianglesFresh(const RaceSettings& settings);
 Race RaceTrianglesKept(const RaceSettings& settings);
+Race RacePipelinesFresh(const RaceSettings& settings);
+Race RacePipelinesKept(const RaceSettings& settings);
+Race RaceInterpolatory(const RaceSettings& settings);
 Race RaceEvaluation(const RaceSettings& settings);
 
 struct RaceEntry {
@@ -27,6 +30,9 @@ inline constexpr RaceEntry kRaces[] = {
     {"tets", &RaceTets},
     {"triangles-fresh", &RaceTrianglesFresh},
     {"triangles-kept", &RaceTrianglesKept},
+    {"pipelines-fresh", &RacePipelinesFresh},
+    {"pipelines-kept", &RacePipelinesKept},
+    {"interpolatory", &RaceInterpolatory},
     {"evaluation", &RaceEvaluation},
 };
 

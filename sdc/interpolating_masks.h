@@ -43,6 +43,7 @@ struct ButterflySurface {
         return {1.0 / 2.0 - w, 1.0 / 8.0 + 2.0 * w, -1.0 / 16.0 - w, w};
     }
 
+    static constexpr double kClosedRingSelf = 3.0 / 4.0;
     /// Modified: around an inner vertex of n triangles, for the edge to ring[0]. Returns the weight of the vertex.
     static double ClosedRing(int n, std::span<double> ring) {
         if (n == 3) {
@@ -58,7 +59,7 @@ struct ButterflySurface {
                 ring[i] = (1.0 / 4.0 + std::cos(angle) + std::cos(2.0 * angle) / 2.0) / n;
             }
         }
-        return 3.0 / 4.0;
+        return kClosedRingSelf;
     }
 
     /// Modified: around a border vertex of k triangles, ring[0] and ring[k] on the border, for the edge to ring[i].

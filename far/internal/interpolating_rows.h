@@ -3,12 +3,15 @@
 // curves.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <vector>
+#include <cstdint>
+#include <span>
 
 #include <solidsubdiv/far/internal/row_entries.h>
 #include <solidsubdiv/far/internal/surface_walk.h>
 #include <solidsubdiv/sdc/interpolating_masks.h>
+#include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far::Internal {
 
@@ -18,68 +21,152 @@ inline std::size_t MaxInterpolatingLength(const Level& level, Index e) {
     return static_cast<std::size_t>(level.vertex_edges.Count(ends[0]) + level.vertex_edges.Count(ends[1]) + 10);
 }
 
-/// Source: rules.md section 6. @pre e follows the surface rule and is no crease
-template <class Real>
-class ButterflyRow {
+/// Rows of edges that follow the surface rule and are no creases, under a butterfly. What neighbouring edges ask again
+/// and again is found once a level. Source: rules.md section 6.
+class ButterflyRows {
   public:
-    ButterflyRow(const Level& level, const SharpRules& sharp, const Sdc::ButterflySurface& rule, Index e,
-                 RowEntries<Real>& row)
-        : level_(level), walk_(level, sharp), rule_(rule), row_(row), e_(e) {
-        const auto ends = level.EdgeVertices(e);
-        ends_ = {ends[0], ends[1]};
+    ButterflyRows(const Level& level, const SharpRules& sharp, const Sdc::ButterflySurface& rule)
+        : level_(level), walk_(level, sharp), rule_(rule), has_quick_rows_(!rule.is_modified || rule.far_weight == 0) {
+        constexpr Offset kGrain = 4096;
+        across_.resize(static_cast<std::size_t>(level.n_edges));
+        Sdc::ParallelFor(level.n_edges, kGrain, [&](Offset begin, Offset end) {
+            for (Offset i = begin; i < end; ++i) across_[i] = SumAcross(static_cast<Index>(i));
+        });
+        is_regular_.resize(static_cast<std::size_t>(level.n_vertices));
+        Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
+            for (Offset v = begin; v < end; ++v) is_regular_[v] = walk_.IsRegularInside(static_cast<Index>(v));
+        });
+        for (int n = 3; rule.is_modified && n < kFew; ++n) {
+            Sdc::ButterflySurface::ClosedRing(n, {closed_rings_[n].data(), static_cast<std::size_t>(n)});
+        }
     }
 
-    void Fill() {
-        const double straight = (1 - rule_.pull) / 2;
-        row_.Add(ends_[0], straight);
-        row_.Add(ends_[1], straight);
-        if (rule_.is_modified && FillFromFans()) return;
-        FillRegular();
+    std::size_t MaxLength(Index e) const {
+        return HasRegularEnds(e) ? kRegularLength : MaxInterpolatingLength(level_, e);
+    }
+    /// Fills the row and returns its length.
+    template <class Real>
+    int Fill(Index e, Index* indices, Real* weights) const {
+        if (has_quick_rows_ && HasRegularEnds(e) && FillQuickly(e, indices, weights)) return 8;
+        RowEntries<Real> row(indices, weights);
+        for (Index end : level_.EdgeVertices(e)) row.Add(end, Straight());
+        std::array<Room<Index>, 2> rooms;
+        const Fans fans = rule_.is_modified ? FansAt(e, rooms) : Fans{};
+        if (!FillFromFans(e, fans, row)) FillRegular(e, fans, row);
+        return row.size();
     }
 
   private:
-    /// Fills from the rings of the ends that are not regular; false if both are.
-    bool FillFromFans() {
-        std::array<bool, 2> has_own_ring{false, false};
+    static constexpr std::size_t kRegularLength = 10;
+    static constexpr int kFew = 13;
+    static constexpr std::uint32_t kNothing = ~std::uint32_t{0};  // no sum of two indices
+
+    bool HasRegularEnds(Index e) const {
+        const auto ends = level_.EdgeVertices(e);
+        return is_regular_[ends[0]] && is_regular_[ends[1]];
+    }
+    std::uint32_t SumAcross(Index e) const {
+        if (walk_.EndsSurface(e)) return kNothing;
+        const SurfaceWalk::Faces faces = walk_.FacesAt(e);
+        return static_cast<std::uint32_t>(level_.ThirdVertex(faces.first, e)) +
+               static_cast<std::uint32_t>(level_.ThirdVertex(faces.second, e));
+    }
+    /// The weight of an end in the middle of the edge.
+    double Straight() const { return (1 - rule_.pull) / 2; }
+
+    /// The eight points between regular vertices, if all are there and stand once; the same row as FillRegular's.
+    template <class Real>
+    bool FillQuickly(Index e, Index* indices, Real* weights) const {
+        const auto ends = level_.EdgeVertices(e);
+        const SurfaceWalk::Faces faces = walk_.FacesAt(e);
+        std::copy(ends.begin(), ends.end(), indices);
         for (int i = 0; i < 2; ++i) {
-            if (walk_.IsRegularInside(ends_[i])) continue;
-            fans_[i] = walk_.FanAt(ends_[i], e_);
-            has_own_ring[i] = !IsRegular(fans_[i], ends_[i]);
+            const Index f = i == 0 ? faces.first : faces.second;
+            const auto edges = level_.FaceEdges(f);
+            const int mine = edges[0] == e ? 0 : edges[1] == e ? 1 : 2;
+            indices[2 + i] = level_.FaceVertices(f)[mine];
+            // Faces and edges list vertices ascending: the face's other edges lie opposite this one's ends in order.
+            const std::uint32_t at_last = across_[edges[mine == 0 ? 1 : 0]], at_first = across_[edges[mine == 2 ? 1 : 2]];
+            if (at_first == kNothing || at_last == kNothing) return false;
+            indices[4 + 2 * i] = static_cast<Index>(at_first - static_cast<std::uint32_t>(ends[1]));
+            indices[5 + 2 * i] = static_cast<Index>(at_last - static_cast<std::uint32_t>(ends[0]));
         }
-        const int n_rings = has_own_ring[0] + has_own_ring[1];
-        for (int i = 0; i < 2; ++i) {
-            if (has_own_ring[i]) AddRing(ends_[i], fans_[i], rule_.pull / n_rings);
+        // Around each end six vertices are distinct: only wings of one can be wings of the other too.
+        for (int i : {4, 6}) {
+            if (indices[i] == indices[5] || indices[i] == indices[7]) return false;
         }
-        return n_rings > 0;
+        const Sdc::ButterflyWeights w = rule_.Regular(false);
+        std::fill(weights, weights + 2, static_cast<Real>(Straight()) + static_cast<Real>(rule_.pull * w.end));
+        std::fill(weights + 2, weights + 4, static_cast<Real>(rule_.pull * w.opposite));
+        std::fill(weights + 4, weights + 8, static_cast<Real>(rule_.pull * w.wing));
+        return true;
     }
 
+    using Fans = std::array<Fan, 2>;
+
+    /// The fans of the ends that are not plainly regular.
+    Fans FansAt(Index e, std::array<Room<Index>, 2>& rooms) const {
+        Fans fans;
+        for (int i = 0; i < 2; ++i) {
+            const Index v = level_.EdgeVertices(e)[i];
+            if (!is_regular_[v]) fans[i] = walk_.FanAt(v, e, rooms[i]);
+        }
+        return fans;
+    }
     /// Three triangles at a border are regular where the border runs through; at its end the regular rule would let
     /// slopes grow from level to level (docs/butterfly-boundaries.md).
     bool IsRegular(const Fan& fan, Index v) const {
+        if (fan.ring.empty()) return true;
         if (fan.is_closed) return fan.n_triangles() == 6;
         return fan.n_triangles() == 3 && walk_.NextOnCurve(fan.border, v) != kNoIndex;
     }
 
-    void AddRing(Index v, const Fan& fan, double share) {
-        std::vector<double> ring(fan.ring.size());
-        const double self = fan.is_closed ? Sdc::ButterflySurface::ClosedRing(fan.n_triangles(), ring)
-                                          : Sdc::ButterflySurface::OpenRing(fan.n_triangles(), fan.place, ring);
-        row_.Add(v, share * self);
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            if (ring[i] != 0) row_.Add(fan.ring[i], share * ring[i]);
+    /// Fills from the rings of the ends that are not regular; false if both are.
+    template <class Real>
+    bool FillFromFans(Index e, const Fans& fans, RowEntries<Real>& row) const {
+        const auto ends = level_.EdgeVertices(e);
+        const std::array<bool, 2> has_own_ring{!IsRegular(fans[0], ends[0]), !IsRegular(fans[1], ends[1])};
+        const int n_rings = has_own_ring[0] + has_own_ring[1];
+        for (int i = 0; i < 2; ++i) {
+            if (has_own_ring[i]) AddRing(ends[i], fans[i], rule_.pull / n_rings, row);
         }
+        return n_rings > 0;
     }
 
-    void FillRegular() {
-        const SurfaceWalk::Faces faces = walk_.FacesAt(e_);
+    template <class Real>
+    void AddRing(Index v, const Fan& fan, double share, RowEntries<Real>& row) const {
+        Room<double> room;
+        const double *ring, self = RingWeights(fan, room, ring);
+        row.Add(v, share * self);
+        for (std::size_t i = 0; i < fan.ring.size(); ++i) {
+            if (ring[i] != 0) row.Add(fan.ring[i], share * ring[i]);
+        }
+    }
+    /// Weights of a ring, in the room or known before, and of the vertex inside.
+    double RingWeights(const Fan& fan, Room<double>& room, const double*& ring) const {
+        const int n = fan.n_triangles();
+        if (fan.is_closed && n < kFew) {
+            ring = closed_rings_[n].data();
+            return Sdc::ButterflySurface::kClosedRingSelf;
+        }
+        const std::span<double> weights(room.For(fan.ring.size()), fan.ring.size());
+        ring = weights.data();
+        return fan.is_closed ? Sdc::ButterflySurface::ClosedRing(n, weights)
+                             : Sdc::ButterflySurface::OpenRing(n, fan.place, weights);
+    }
+
+    template <class Real>
+    void FillRegular(Index e, const Fans& fans, RowEntries<Real>& row) const {
+        const auto ends = level_.EdgeVertices(e);
+        const SurfaceWalk::Faces faces = walk_.FacesAt(e);
         std::array<Index, 2> opposite;
         std::array<std::array<Index, 2>, 2> wing, wing_face;  // of face i, across the edge at end k
         bool has_far = rule_.is_modified && rule_.far_weight != 0;
         for (int i = 0; i < 2; ++i) {
             const Index f = i == 0 ? faces.first : faces.second;
-            opposite[i] = level_.ThirdVertex(f, e_);
+            opposite[i] = level_.ThirdVertex(f, e);
             for (int k = 0; k < 2; ++k) {
-                const Index side = walk_.EdgeOpposite(f, ends_[1 - k]);
+                const Index side = walk_.EdgeOpposite(f, ends[1 - k]);
                 const bool is_there = !walk_.EndsSurface(side);
                 wing_face[i][k] = is_there ? walk_.Across(side, f) : kNoIndex;
                 wing[i][k] = is_there ? level_.ThirdVertex(wing_face[i][k], side) : kNoIndex;
@@ -88,42 +175,42 @@ class ButterflyRow {
         }
         std::array<Index, 2> far{kNoIndex, kNoIndex};
         for (int k = 0; k < 2 && has_far; ++k) {
-            far[k] = FarPoint(k, opposite[0], wing_face[0][k]);
+            far[k] = FarPoint(fans[k], opposite[0], wing_face[0][k]);
             has_far = far[k] != kNoIndex;
         }
 
         const Sdc::ButterflyWeights w = rule_.Regular(has_far);
-        for (Index end : ends_) row_.Add(end, rule_.pull * w.end);
-        for (Index v : opposite) row_.Add(v, rule_.pull * w.opposite);
+        for (Index end : ends) row.Add(end, rule_.pull * w.end);
+        for (Index v : opposite) row.Add(v, rule_.pull * w.opposite);
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < 2; ++k) {
                 const double weight = rule_.pull * w.wing;
                 if (wing[i][k] != kNoIndex) {
-                    row_.Add(wing[i][k], weight);
+                    row.Add(wing[i][k], weight);
                 } else {  // across a border: the parallelogram's corner
-                    row_.Add(ends_[k], weight);
-                    row_.Add(opposite[i], weight);
-                    row_.Add(ends_[1 - k], -weight);
+                    row.Add(ends[k], weight);
+                    row.Add(opposite[i], weight);
+                    row.Add(ends[1 - k], -weight);
                 }
             }
         }
-        for (int k = 0; k < 2 && has_far; ++k) row_.Add(far[k], rule_.pull * w.far);
+        for (int k = 0; k < 2 && has_far; ++k) row.Add(far[k], rule_.pull * w.far);
     }
 
-    /// The vertex straight on beyond end k, or kNoIndex at a border.
-    Index FarPoint(int k, Index opposite, Index wing_face) const {
-        if (!fans_[k].ring.empty()) return fans_[k].is_closed ? fans_[k].ring[3] : kNoIndex;
+    /// The vertex straight on beyond an end, or kNoIndex at a border.
+    Index FarPoint(const Fan& fan, Index opposite, Index wing_face) const {
+        if (!fan.ring.empty()) return fan.is_closed ? fan.ring[3] : kNoIndex;
         const Index to_wing = walk_.EdgeOpposite(wing_face, opposite);
         return level_.ThirdVertex(walk_.Across(to_wing, wing_face), to_wing);
     }
 
     const Level& level_;
     const SurfaceWalk walk_;
-    const Sdc::ButterflySurface& rule_;
-    RowEntries<Real>& row_;
-    Index e_;
-    std::array<Index, 2> ends_;
-    std::array<Fan, 2> fans_;  // modified: of ends that are not plainly regular
+    const Sdc::ButterflySurface rule_;
+    const bool has_quick_rows_;
+    Array<std::uint32_t> across_;     // of each edge where a surface goes on: the third vertices of its faces, summed
+    Array<std::uint8_t> is_regular_;  // of each vertex: inside a surface, among six triangles
+    std::array<std::array<double, kFew>, kFew> closed_rings_{};  // weights, by the number of triangles
 };
 
 /// The 4-point rule; at a curve's end the three points nearest. @pre e follows the curve rule or is a crease

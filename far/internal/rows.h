@@ -36,7 +36,8 @@ class Rows {
           scheme_(scheme),
           surface_(scheme.surface()),
           curve_(scheme.curve()),
-          two_neighbors_(parent) {
+          two_neighbors_(parent),
+          butterfly_(parent, sharp_, surface_) {
         assert(parent.is_full);
         if constexpr (Scheme::kSolids) footprint_ = scheme.footprint();
     }
@@ -63,10 +64,16 @@ class Rows {
             case Kind::Vertex:
                 return static_cast<std::size_t>(1 + level_.vertex_edges.Count(i) + level_.vertex_octs.Count(i));
             case Kind::Edge: {
+                const Rule rule = level_.edge_tags[i].rule();
+                if constexpr (Surface::kIsWide) {
+                    if (rule == Rule::Surface) return butterfly_.MaxLength(i);
+                }
+                if constexpr (Curve::kIsWide) {
+                    if (rule == Rule::Curve) return MaxInterpolatingLength(level_, i);
+                }
                 std::size_t n =
                     static_cast<std::size_t>(2 + level_.edge_faces.Count(i) + 2 * level_.edge_octs.Count(i));
                 if constexpr (UsesTwoNeighbors<Scheme>()) n += two_neighbors_.MaxEdgeCount(i);
-                if constexpr (!kHasLengths) n = std::max(n, MaxInterpolatingLength(level_, i));
                 return n;
             }
             default:
@@ -155,9 +162,7 @@ class Rows {
         }
         if constexpr (Surface::kIsWide) {
             if (rule == Rule::Surface) {
-                RowEntries<Real> row(indices, weights);
-                ButterflyRow<Real>(level_, sharp_, surface_, e, row).Fill();
-                return row.size();
+                return butterfly_.Fill(e, indices, weights);
             }
         }
         if constexpr (Curve::kIsWide) {
@@ -191,7 +196,8 @@ class Rows {
     using Surface = decltype(std::declval<const Scheme&>().surface());
     using Curve = decltype(std::declval<const Scheme&>().curve());
     struct Nothing {
-        explicit Nothing(const Level&) {}
+        template <class... Arguments>
+        explicit Nothing(const Arguments&...) {}
     };
 
     static constexpr int kOctLength = 6;
@@ -436,6 +442,7 @@ class Rows {
     Curve curve_;
     Sdc::Footprint footprint_{};
     std::conditional_t<UsesTwoNeighbors<Scheme>(), TwoNeighbors, Nothing> two_neighbors_;
+    std::conditional_t<Surface::kIsWide, ButterflyRows, Nothing> butterfly_;
 };
 
 /// One row after another, in room that is used again.

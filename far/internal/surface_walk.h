@@ -6,6 +6,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <vector>
 
 #include <solidsubdiv/far/internal/sharpness.h>
@@ -17,12 +19,27 @@ using Vtr::Level;
 using Vtr::Rule;
 using Vtr::Tag;
 
+/// Room for a few elements on the stack, for more in memory.
+template <class T>
+class Room {
+  public:
+    T* For(std::size_t n) {
+        if (n <= few_.size()) return few_.data();
+        many_.resize(n);
+        return many_.data();
+    }
+
+  private:
+    std::array<T, 24> few_;
+    std::vector<T> many_;
+};
+
 /// The triangles of a surface around a vertex between two edges that end it, or all around.
 struct Fan {
     bool is_closed = false;
-    std::vector<Index> ring;  ///< the other vertices, in order; closed: from the edge asked for
-    int place = 0;            ///< of the edge asked for in the ring
-    Index border = kNoIndex;  ///< open: one of the two edges that end the fan
+    std::span<const Index> ring;  ///< the other vertices, in order; closed: from the edge asked for
+    int place = 0;                ///< of the edge asked for in the ring
+    Index border = kNoIndex;      ///< open: one of the two edges that end the fan
 
     int n_triangles() const { return static_cast<int>(ring.size()) - !is_closed; }
 };
@@ -64,29 +81,23 @@ class SurfaceWalk {
     }
 
     /// The fan around v, an end of edge e of the surface rule. An edge alone that ends the surface does not end the
-    /// fan: where a single crease runs out the ring is closed.
-    Fan FanAt(Index v, Index e) const {
-        Fan fan;
-        fan.ring.push_back(OtherEnd(e, v));
+    /// fan: where a single crease runs out the ring is closed. The ring is written to the room.
+    Fan FanAt(Index v, Index e, Room<Index>& room) const {
+        Index* const ring = room.For(static_cast<std::size_t>(level_.vertex_edges.Count(v)) + 2);
+        std::size_t n = 0;
+        ring[n++] = OtherEnd(e, v);
         const Faces faces = FacesAt(e);
-        const Index end = Walk(v, e, faces.first, fan.ring);
-        if (end == e) {
-            fan.is_closed = true;
-            fan.ring.pop_back();  // the walk came back to its first vertex
-            return fan;
-        }
-        std::vector<Index> before;
-        const Index start = Walk(v, e, faces.second, before);
+        const Index end = Walk(v, e, faces.first, ring, n);
+        if (end == e) return {true, {ring, n - 1}};  // the walk came back to its first vertex
+        const std::size_t n_first = n;
+        const Index start = Walk(v, e, faces.second, ring, n);
+        std::reverse(ring + n_first, ring + n);
         if (start == end) {
-            fan.is_closed = true;
-            before.pop_back();
-            fan.ring.insert(fan.ring.end(), before.rbegin(), before.rend());
-            return fan;
+            std::copy(ring + n_first + 1, ring + n, ring + n_first);  // the vertex where both ended stands twice
+            return {true, {ring, n - 1}};
         }
-        fan.border = start;
-        fan.place = static_cast<int>(before.size());
-        fan.ring.insert(fan.ring.begin(), before.rbegin(), before.rend());
-        return fan;
+        std::rotate(ring, ring + n_first, ring + n);
+        return {false, {ring, n}, static_cast<int>(n - n_first), start};
     }
 
     /// The vertex after v on the curve that edge e belongs to, or kNoIndex where the curve ends in v.
@@ -113,14 +124,14 @@ class SurfaceWalk {
 
     /// Turns around v from edge e over face f, appending vertices, until an edge ends the surface or e is met again.
     /// Returns that edge.
-    Index Walk(Index v, Index e, Index f, std::vector<Index>& ring) const {
-        Index at = e;
+    Index Walk(Index v, Index e, Index f, Index* ring, std::size_t& n) const {
+        Index last = OtherEnd(e, v);
         while (true) {
-            const Index next = EdgeOpposite(f, OtherEnd(at, v));
-            ring.push_back(OtherEnd(next, v));
+            const Index next = EdgeOpposite(f, last);
+            last = OtherEnd(next, v);
+            ring[n++] = last;
             if (next == e || EndsSurface(next)) return next;
             f = Across(next, f);
-            at = next;
         }
     }
 

@@ -16,21 +16,41 @@ namespace {
 
 constexpr Offset kGrain = 2048;
 
+/// Writes the sum of the row's values. @tparam kWidth numbers a value, where it is known; or 0
+template <int kWidth, class Real>
+void Apply(const Internal::RowBuffer<Real>& row, const Real* source, int width, Real* sum, Real* destination) {
+    if constexpr (kWidth > 0) width = kWidth;
+    std::fill(sum, sum + width, Real{0});
+    for (std::size_t k = 0; k < row.n; ++k) {
+        const Real* const from = source + static_cast<Offset>(row.indices[k]) * width;
+        for (int c = 0; c < width; ++c) sum[c] += row.weights[k] * from[c];
+    }
+    std::copy(sum, sum + width, destination);
+}
+
 template <class Real, class Scheme>
 void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Scheme& scheme, const Real* source,
                       Real* destination, int width) {
     const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
-    Sdc::ParallelFor(rows.n_children(), kGrain, [&](Offset begin, Offset end) {
+    Index first = 0;
+    if constexpr (rows.kVerticesStay) {
+        first = parent.n_vertices;
+        Sdc::ParallelFor(static_cast<Offset>(first) * width, kGrain, [&](Offset begin, Offset end) {
+            std::copy(source + begin, source + end, destination + begin);
+        });
+    }
+    Sdc::ParallelFor(rows.n_children() - first, kGrain, [&](Offset begin, Offset end) {
         Internal::RowBuffer<Real> row;
         std::vector<Real> sum(static_cast<std::size_t>(width));
-        for (Offset child = begin; child < end; ++child) {
+        for (Offset child = first + begin; child < first + end; ++child) {
             row.Read(rows, static_cast<Index>(child));
-            std::fill(sum.begin(), sum.end(), Real{0});
-            for (std::size_t k = 0; k < row.n; ++k) {
-                const Real* const from = source + static_cast<Offset>(row.indices[k]) * width;
-                for (int c = 0; c < width; ++c) sum[c] += row.weights[k] * from[c];
+            Real* const to = destination + child * width;
+            if (width == 3) {
+                Real point[3];
+                Apply<3>(row, source, width, point, to);
+            } else {
+                Apply<0>(row, source, width, sum.data(), to);
             }
-            std::copy(sum.begin(), sum.end(), destination + child * width);
         }
     });
 }

@@ -5,6 +5,7 @@
 // tables, PrimvarRefiner, limits) asks here, so a rule stands once.
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <span>
 #include <type_traits>
@@ -27,6 +28,9 @@ constexpr bool UsesTwoNeighbors() {
 
 template <class Scheme>
 class Rows {
+    using Surface = decltype(std::declval<const Scheme&>().surface());
+    using Curve = decltype(std::declval<const Scheme&>().curve());
+
   public:
     /// @param sharpness the parent's
     Rows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme)
@@ -40,12 +44,19 @@ class Rows {
           butterfly_(parent, sharp_, surface_) {
         assert(parent.is_full);
         if constexpr (Scheme::kSolids) footprint_ = scheme.footprint();
+        if constexpr (!Surface::kVerticesStay) {
+            for (int n = 1; n < kFew; ++n) few_neighbors_[n] = surface_.Vertex(n);
+        }
     }
 
     /// Rows whose lengths follow from counts: VertexLength, EdgeLength and OctLength are quick and exact.
-    static constexpr bool kHasLengths =
-        !(UsesTwoNeighbors<Scheme>() || decltype(std::declval<const Scheme&>().surface())::kIsWide ||
-          decltype(std::declval<const Scheme&>().curve())::kIsWide);
+    static constexpr bool kHasLengths = !(UsesTwoNeighbors<Scheme>() || Surface::kIsWide || Curve::kIsWide);
+
+    /// Every child of a vertex is where its parent is.
+    static constexpr bool kVerticesStay = [] {
+        if constexpr (requires { Scheme::kVerticesStay; }) return Scheme::kVerticesStay;
+        return !Scheme::kSolids && Surface::kVerticesStay && Curve::kVerticesStay;
+    }();
 
     /// Rows by child vertex, in the child's numbering (vtr/refinement.h).
     Index n_children() const { return level_.n_vertices + level_.n_edges + level_.n_octs; }
@@ -136,7 +147,7 @@ class Rows {
                     break;
                 case Rule::Surface:
                     if constexpr (!Surface::kVerticesStay) {
-                        const Sdc::RingWeights w = surface_.Vertex(n_edges);
+                        const Sdc::RingWeights w = n_edges < kFew ? few_neighbors_[n_edges] : surface_.Vertex(n_edges);
                         self = w.self, edge = w.neighbor;
                     }
                     break;
@@ -193,14 +204,12 @@ class Rows {
     }
 
   private:
-    using Surface = decltype(std::declval<const Scheme&>().surface());
-    using Curve = decltype(std::declval<const Scheme&>().curve());
     struct Nothing {
         template <class... Arguments>
         explicit Nothing(const Arguments&...) {}
     };
 
-    static constexpr int kOctLength = 6;
+    static constexpr int kOctLength = 6, kFew = 16;
     enum class Kind { Vertex, Edge, Oct };
     struct Place {
         Kind kind;
@@ -441,6 +450,7 @@ class Rows {
     Surface surface_;
     Curve curve_;
     Sdc::Footprint footprint_{};
+    std::array<Sdc::RingWeights, kFew> few_neighbors_{};  // what the surface rule says of vertices
     std::conditional_t<UsesTwoNeighbors<Scheme>(), TwoNeighbors, Nothing> two_neighbors_;
     std::conditional_t<Surface::kIsWide, ButterflyRows, Nothing> butterfly_;
 };

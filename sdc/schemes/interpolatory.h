@@ -28,6 +28,7 @@ struct Interpolatory {
     static constexpr std::string_view kName = "interpolatory";
     static constexpr std::string_view kSummary = "interpolatory tet/oct solids with a tension, butterfly boundary";
     static constexpr bool kSolids = true;
+    static constexpr bool kVerticesStay = true;
     static constexpr bool kTwoNeighbors = true;
     static constexpr std::array<OptionInfo, 2> kOptions{
         {{"tension", "", kNumber, "1/16", "from 0 (linear) to below 1/8; C1 up to 1/16, which reproduces cubics"},

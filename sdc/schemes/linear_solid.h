@@ -16,6 +16,7 @@ struct LinearSolid {
     static constexpr std::string_view kName = "linear-solid";
     static constexpr std::string_view kSummary = "linear tet/oct solids: a finer mesh of the same shape";
     static constexpr bool kSolids = true;
+    static constexpr bool kVerticesStay = true;
     static constexpr std::array<OptionInfo, 0> kOptions{};
 
     void SetOption(std::string_view name, std::string_view value);

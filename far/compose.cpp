@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include <solidsubdiv/far/internal/row_buffer.h>
 #include <solidsubdiv/far/internal/row_maker.h>
 #include <solidsubdiv/far/internal/row_sum.h>
 #include <solidsubdiv/far/internal/rows.h>

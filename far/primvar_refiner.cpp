@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <solidsubdiv/far/internal/row_buffer.h>
 #include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
 #include <solidsubdiv/sdc/parallel.h>

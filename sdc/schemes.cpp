@@ -3,6 +3,7 @@
 #include <solidsubdiv/sdc/schemes.h>
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace SolidSubdiv::Sdc {
@@ -35,19 +36,22 @@ void SetNumber(std::string_view scheme, const OptionInfo& option, std::string_vi
     }
     if (read.ec != std::errc() || read.ptr != end) {
         throw InvalidInput(std::string(scheme) + ": option " + std::string(option.name) + " can't be '" +
-                           std::string(value) + "'; a number " + std::string(option.help));
+                           std::string(value) + "'; it is a number such as 0.05 or 1/16");
     }
     field = top / bottom;
 }
 
-/// @throws InvalidInput unless low <= value < high, or value <= high where `closed`
-void RequireRange(std::string_view scheme, const OptionInfo& option, double value, double low, double high,
-                  bool closed) {
-    if (value >= low && (closed ? value <= high : value < high)) return;
+void RequireRange(std::string_view scheme, const OptionInfo& option, double value, bool is_in_range,
+                  std::string_view range) {
+    if (is_in_range) return;
     std::string text = std::to_string(value);
     text.erase(text.find_last_not_of('0') + 1);
     throw InvalidInput(std::string(scheme) + ": " + std::string(option.name) + " is " + text + "; it must be " +
-                       std::string(option.help));
+                       std::string(range));
+}
+/// Butterflies and solids converge below 1/8.
+void RequireTension(std::string_view scheme, const OptionInfo& option, double tension) {
+    RequireRange(scheme, option, tension, tension >= 0 && tension < 1.0 / 8.0, "from 0 to below 1/8");
 }
 
 [[noreturn]] void UnknownOption(std::string_view scheme, std::string_view name) {
@@ -74,7 +78,7 @@ void Interpolatory::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, boundary);
     UnknownOption(kName, name);
 }
-void Interpolatory::Validate() const { RequireRange(kName, kOptions[0], tension, 0, 1.0 / 8.0, false); }
+void Interpolatory::Validate() const { RequireTension(kName, kOptions[0], tension); }
 
 void LinearSolid::SetOption(std::string_view name, std::string_view) { UnknownOption(kName, name); }
 void LinearSurface::SetOption(std::string_view name, std::string_view) { UnknownOption(kName, name); }
@@ -83,14 +87,14 @@ void Butterfly::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, tension);
     UnknownOption(kName, name);
 }
-void Butterfly::Validate() const { RequireRange(kName, kOptions[0], tension, 0, 1.0 / 8.0, false); }
+void Butterfly::Validate() const { RequireTension(kName, kOptions[0], tension); }
 
 void ModifiedButterfly::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, far_weight);
     UnknownOption(kName, name);
 }
 void ModifiedButterfly::Validate() const {
-    RequireRange(kName, kOptions[0], far_weight, -1.0 / 16.0, 1.0 / 16.0, true);
+    RequireRange(kName, kOptions[0], far_weight, std::abs(far_weight) <= 1.0 / 16.0, "from -1/16 to 1/16");
 }
 
 void Loop::SetOption(std::string_view name, std::string_view value) {

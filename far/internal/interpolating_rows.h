@@ -86,7 +86,8 @@ class ButterflyRows {
             const int mine = edges[0] == e ? 0 : edges[1] == e ? 1 : 2;
             indices[2 + i] = level_.FaceVertices(f)[mine];
             // Faces and edges list vertices ascending: the face's other edges lie opposite this one's ends in order.
-            const std::uint32_t at_last = across_[edges[mine == 0 ? 1 : 0]], at_first = across_[edges[mine == 2 ? 1 : 2]];
+            const std::uint32_t at_last = across_[edges[mine == 0 ? 1 : 0]],
+                                at_first = across_[edges[mine == 2 ? 1 : 2]];
             if (at_first == kNothing || at_last == kNothing) return false;
             indices[4 + 2 * i] = static_cast<Index>(at_first - static_cast<std::uint32_t>(ends[1]));
             indices[5 + 2 * i] = static_cast<Index>(at_last - static_cast<std::uint32_t>(ends[0]));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <solidsubdiv/far/internal/row_buffer.h>
 #include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/local_matrix.h>
 

@@ -13,6 +13,7 @@
 
 #include <solidsubdiv/far/internal/interpolating_rows.h>
 #include <solidsubdiv/far/internal/row_entries.h>
+#include <solidsubdiv/far/internal/sharp_rows.h>
 #include <solidsubdiv/far/internal/two_neighbors.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/vtr/level.h>
@@ -125,7 +126,11 @@ class Rows {
     /// Fill rows and return their lengths: the parent vertex or vertices first, then neighbours.
     template <class Real>
     int FillVertex(Index v, Index* indices, Real* weights) const {
-        if (sharp_.ChangesVertex(v)) return FillSharpVertex(v, indices, weights);
+        if (sharp_.ChangesVertex(v)) {
+            RowEntries<Real> row(indices, weights);
+            FillSharpVertex(level_, sharpness_, sharp_, surface_, curve_, v, row);
+            return row.size();
+        }
         int n = 1, n_edges = 0;
         VisitVertex(
             v,
@@ -183,8 +188,14 @@ class Rows {
                 return row.size();
             }
         }
-        const bool is_linear = Surface::kVerticesStay;  // nothing is smoother than sharp
-        return is_sharp && !is_linear ? FillSharpEdge(e, indices, weights) : FillNarrowEdge(e, indices, weights);
+        if constexpr (!Surface::kVerticesStay) {  // a linear surface is as sharp as can be
+            if (is_sharp) {
+                RowEntries<Real> row(indices, weights);
+                FillSharpEdge(level_, sharp_, surface_, curve_, e, row);
+                return row.size();
+            }
+        }
+        return FillNarrowEdge(e, indices, weights);
     }
 
     template <class Real>
@@ -194,7 +205,7 @@ class Rows {
             std::copy(v.begin(), v.end(), indices);
             if constexpr (UsesTwoNeighbors<Scheme>()) {
                 const int n_two = two_neighbors_.OfMajorDiagonal(o, indices + kOctLength);
-                return WeighTwoNeighbors(indices, weights, kOctLength, n_two);
+                return WeighTwoNeighbors(scheme_, indices, weights, kOctLength, n_two);
             } else {
                 const Sdc::OctWeights w = scheme_.Centre();
                 for (int i = 0; i < kOctLength; ++i) weights[i] = static_cast<Real>(i < 2 ? w.diagonal : w.equator);
@@ -230,29 +241,7 @@ class Rows {
         int n = 2;
         const auto add = [&](Index v) { indices[n++] = v; };
         VisitEdge(e, add, add, [](int) {});
-        return WeighTwoNeighbors(indices, weights, n, two_neighbors_.OfEdge(e, indices + n));
-    }
-
-    /// Weighs a row of the two ends, the one-neighbours up to n and n_two two-neighbours after them (-1: incomplete,
-    /// the middle of the ends). A two-neighbour that is a one-neighbour too is one entry. Returns the row's length.
-    template <class Real>
-    int WeighTwoNeighbors(Index* indices, Real* weights, int n, int n_two) const {
-        weights[0] = weights[1] = static_cast<Real>(0.5);
-        if (n_two < 0) return 2;
-        const Sdc::TwoNeighborWeights w = scheme_.Edge(n - 2, n_two);
-        weights[0] = weights[1] = static_cast<Real>(w.end);
-        std::fill(weights + 2, weights + n, static_cast<Real>(w.one));
-        int length = n;
-        for (int i = n; i < n + n_two; ++i) {
-            const auto at = std::find(indices, indices + n, indices[i]) - indices;
-            if (at < n) {
-                weights[at] += static_cast<Real>(w.two);
-            } else {
-                indices[length] = indices[i];
-                weights[length++] = static_cast<Real>(w.two);
-            }
-        }
-        return length;
+        return WeighTwoNeighbors(scheme_, indices, weights, n, two_neighbors_.OfEdge(e, indices + n));
     }
 
     /// Length of a row that must be made to be counted.
@@ -260,55 +249,6 @@ class Rows {
         std::vector<Index> indices(MaxLength(child));
         std::vector<double> weights(indices.size());
         return static_cast<int>(Fill(child, indices.data(), weights.data()));
-    }
-
-    /// A blend of the rules of this level and of the next.
-    template <class Real>
-    int FillSharpVertex(Index v, Index* indices, Real* weights) const {
-        RowEntries<Real> row(indices, weights);
-        if constexpr (Surface::kVerticesStay || Curve::kVerticesStay) {
-            row.Add(v, 1);
-        } else {
-            for (const SharpRules::Part& part : sharp_.VertexParts(v)) {
-                if (part.share == 0) continue;
-                switch (part.rule) {
-                    case Sdc::SharpRule::Corner:
-                        row.Add(v, part.share);
-                        break;
-                    case Sdc::SharpRule::Crease: {
-                        const Sdc::RingWeights w = curve_.Vertex();
-                        row.Add(v, part.share * w.self);
-                        for (Index e : part.crease) row.Add(OtherEnd(e, v), part.share * w.neighbor);
-                        break;
-                    }
-                    default: {
-                        int n = 0;
-                        ForSurfaceEdges(level_, sharpness_, v, [&](Index, float) { ++n; });
-                        const Sdc::RingWeights w = surface_.Vertex(n);
-                        row.Add(v, part.share * w.self);
-                        ForSurfaceEdges(level_, sharpness_, v,
-                                        [&](Index e, float) { row.Add(OtherEnd(e, v), part.share * w.neighbor); });
-                    }
-                }
-            }
-        }
-        return row.size();
-    }
-
-    template <class Real>
-    int FillSharpEdge(Index e, Index* indices, Real* weights) const {
-        RowEntries<Real> row(indices, weights);
-        if constexpr (!Surface::kIsWide && !Curve::kIsWide) {
-            const double crease = sharp_.CreaseShare(e), smooth = 1 - crease;
-            const Sdc::EdgePairWeights w = surface_.Edge();
-            for (Index end : level_.EdgeVertices(e)) row.Add(end, crease * curve_.EdgeEnd() + smooth * w.end);
-            if (smooth * w.opposite != 0) {
-                for (Index f : level_.edge_faces[e]) {
-                    if (level_.face_tags[f].is_boundary()) row.Add(level_.ThirdVertex(f, e), smooth * w.opposite);
-                }
-            }
-        }
-        return row.size();
     }
 
     template <class Real>
@@ -453,26 +393,6 @@ class Rows {
     std::array<Sdc::RingWeights, kFew> few_neighbors_{};  // what the surface rule says of vertices
     std::conditional_t<UsesTwoNeighbors<Scheme>(), TwoNeighbors, Nothing> two_neighbors_;
     std::conditional_t<Surface::kIsWide, ButterflyRows, Nothing> butterfly_;
-};
-
-/// One row after another, in room that is used again.
-template <class Real>
-struct RowBuffer {
-    std::vector<Index> indices;  ///< and weights: the first n count
-    std::vector<Real> weights;
-    std::size_t n = 0;
-
-    template <class Scheme>
-    void Read(const Rows<Scheme>& rows, Index child) {
-        const std::size_t room = rows.MaxLength(child);
-        if (indices.size() < room) {
-            indices.resize(2 * room);
-            weights.resize(2 * room);
-        }
-        n = rows.Fill(child, indices.data(), weights.data());
-    }
-    std::span<const Index> Indices() const { return {indices.data(), n}; }
-    std::span<const Real> Weights() const { return {weights.data(), n}; }
 };
 
 }  // namespace SolidSubdiv::Far::Internal

@@ -10,6 +10,7 @@
 #include <atomic>
 
 #include <solidsubdiv/sdc/parallel.h>
+#include <solidsubdiv/sdc/schemes/interpolatory.h>
 #include <solidsubdiv/vtr/level.h>
 
 namespace SolidSubdiv::Far::Internal {
@@ -109,5 +110,27 @@ class TwoNeighbors {
     Vtr::Relation edge_tets_;               // with locals: which edge of the tet
     std::vector<std::uint32_t> apex_sums_;  // of each face: its cells' vertices across it, summed
 };
+
+/// Weighs a row of the two ends, the one-neighbours up to n and n_two two-neighbours after them (-1: incomplete,
+/// the middle of the ends). A two-neighbour that is a one-neighbour too is one entry. Returns the row's length.
+template <class Scheme, class Real>
+int WeighTwoNeighbors(const Scheme& scheme, Index* indices, Real* weights, int n, int n_two) {
+    weights[0] = weights[1] = static_cast<Real>(0.5);
+    if (n_two < 0) return 2;
+    const Sdc::TwoNeighborWeights w = scheme.Edge(n - 2, n_two);
+    weights[0] = weights[1] = static_cast<Real>(w.end);
+    std::fill(weights + 2, weights + n, static_cast<Real>(w.one));
+    int length = n;
+    for (int i = n; i < n + n_two; ++i) {
+        const auto at = std::find(indices, indices + n, indices[i]) - indices;
+        if (at < n) {
+            weights[at] += static_cast<Real>(w.two);
+        } else {
+            indices[length] = indices[i];
+            weights[length++] = static_cast<Real>(w.two);
+        }
+    }
+    return length;
+}
 
 }  // namespace SolidSubdiv::Far::Internal

@@ -13,12 +13,13 @@
 
 namespace SolidSubdiv::Sdc {
 
-/// The eight-point rule everywhere: C1 but at extraordinary vertices.
+/// The eight-point rule everywhere: not C1 at vertices of valence 3 and above 7 (docs/schemes/butterfly.md).
 struct Butterfly {
     double tension = 1.0 / 16.0;  ///< w in [0, 1/8); 0: linear
 
     static constexpr std::string_view kName = "butterfly";
-    static constexpr std::string_view kSummary = "interpolatory triangle surfaces, C1 but at extraordinary vertices";
+    static constexpr std::string_view kSummary =
+        "interpolatory triangle surfaces, not C1 where 3 or more than 7 triangles meet";
     static constexpr bool kSolids = false;
     static constexpr std::array<OptionInfo, 1> kOptions{
         {{"tension", "", kNumber, "1/16", "from 0 (linear) to below 1/8; 1/16 reproduces cubics"}}};
@@ -39,7 +40,8 @@ struct ModifiedButterfly {
     static constexpr std::string_view kSummary = "interpolatory triangle surfaces, C1 everywhere";
     static constexpr bool kSolids = false;
     static constexpr std::array<OptionInfo, 1> kOptions{
-        {{"tension", "", kNumber, "0", "weight of the two far points of the ten-point rule, from -1/16 to 1/16"}}};
+        {{"tension", "", kNumber, "0",
+          "weight of the two far points of the ten-point rule, from -1/16 to 1/16; C1 to below 1/24"}}};
 
     void SetOption(std::string_view name, std::string_view value);
     /// @throws InvalidInput if the weight is outside [-1/16, 1/16]

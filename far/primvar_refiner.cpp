@@ -3,6 +3,7 @@
 #include <solidsubdiv/far/primvar_refiner.h>
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -17,16 +18,47 @@ namespace {
 
 constexpr Offset kGrain = 2048;
 
-/// Writes the sum of the row's values. @tparam kWidth numbers a value, where it is known; or 0
-template <int kWidth, class Real>
-void Apply(const Internal::RowBuffer<Real>& row, const Real* source, int width, Real* sum, Real* destination) {
-    if constexpr (kWidth > 0) width = kWidth;
-    std::fill(sum, sum + width, Real{0});
+/// Elements of three values at distances of four, which are loaded at once.
+template <class Real>
+Array<Real> PadToFour(const Real* source, Index n) {
+    Array<Real> padded(4 * static_cast<std::size_t>(n));
+    Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i) {
+            std::copy(source + 3 * i, source + 3 * i + 3, padded.data() + 4 * i);
+            padded[4 * i + 3] = 0;
+        }
+    });
+    return padded;
+}
+
+/// Vectors are the compilers' own (GCC, clang): left to themselves they handle two of three values at once.
+template <class Real>
+struct VectorOfFour {
+    typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
+};
+
+/// The sum of a row's values, of which three are wanted. @param padded see PadToFour
+template <class Real>
+void SumThree(const Internal::RowBuffer<Real>& row, const Real* padded, Real* destination) {
+    using Vector = typename VectorOfFour<Real>::Type;
+    Vector sum{};
     for (std::size_t k = 0; k < row.n; ++k) {
-        const Real* const from = source + static_cast<Offset>(row.indices[k]) * width;
-        for (int c = 0; c < width; ++c) sum[c] += row.weights[k] * from[c];
+        Vector values;
+        std::memcpy(&values, padded + 4 * static_cast<Offset>(row.indices[k]), sizeof values);
+        sum += row.weights[k] * values;
     }
-    std::copy(sum, sum + width, destination);
+    for (int c = 0; c < 3; ++c) destination[c] = sum[c];
+}
+
+/// The same for any width, in room for it.
+template <class Real>
+void Sum(const Internal::RowBuffer<Real>& row, const Real* source, std::span<Real> sum, Real* destination) {
+    std::fill(sum.begin(), sum.end(), Real{0});
+    for (std::size_t k = 0; k < row.n; ++k) {
+        const Real* const from = source + static_cast<std::size_t>(row.indices[k]) * sum.size();
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += row.weights[k] * from[c];
+    }
+    std::copy(sum.begin(), sum.end(), destination);
 }
 
 template <class Real, class Scheme>
@@ -40,6 +72,7 @@ void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Sch
             std::copy(source + begin, source + end, destination + begin);
         });
     }
+    const Array<Real> padded = width == 3 ? PadToFour(source, parent.n_vertices) : Array<Real>{};
     Sdc::ParallelFor(rows.n_children() - first, kGrain, [&](Offset begin, Offset end) {
         Internal::RowBuffer<Real> row;
         std::vector<Real> sum(static_cast<std::size_t>(width));
@@ -47,10 +80,9 @@ void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Sch
             row.Read(rows, static_cast<Index>(child));
             Real* const to = destination + child * width;
             if (width == 3) {
-                Real point[3];
-                Apply<3>(row, source, width, point, to);
+                SumThree(row, padded.data(), to);
             } else {
-                Apply<0>(row, source, width, sum.data(), to);
+                Sum<Real>(row, source, sum, to);
             }
         }
     });

@@ -110,7 +110,7 @@ class ButterflyRows {
         Fans fans;
         for (int i = 0; i < 2; ++i) {
             const Index v = level_.EdgeVertices(e)[i];
-            if (!is_regular_[v]) fans[i] = walk_.FanAt(v, e, rooms[i]);
+            if (!is_regular_[v] && !FindClosedFan(v, e, rooms[i], fans[i])) fans[i] = walk_.FanAt(v, e, rooms[i]);
         }
         return fans;
     }
@@ -134,13 +134,47 @@ class ButterflyRows {
         return n_rings > 0;
     }
 
+    /// The same fan as SurfaceWalk::FanAt finds, without a walk: false unless it is closed and small.
+    bool FindClosedFan(Index v, Index e, Room<Index>& room, Fan& fan) const {
+        const auto edges = level_.vertex_edges[v];
+        if (edges.size() >= kFew) return false;
+        std::array<Index, kFew> neighbors;
+        std::array<std::uint32_t, kFew> across;
+        std::size_t n = 0;
+        for (Index other : edges) {
+            across[n] = across_[other];
+            const auto ends = level_.EdgeVertices(other);
+            neighbors[n] = ends[0] + ends[1] - v;
+            n += across[n] != kNothing;
+        }
+        const auto mine = level_.EdgeVertices(e);
+        Index* const ring = room.For(kFew + 1);
+        ring[0] = mine[0] + mine[1] - v;
+        ring[1] = level_.ThirdVertex(walk_.FacesAt(e).first, e);
+        for (std::size_t i = 1; i < n; ++i) {
+            const auto at = std::find(neighbors.begin(), neighbors.begin() + n, ring[i]) - neighbors.begin();
+            if (static_cast<std::size_t>(at) == n) return false;  // beyond an edge that ends the surface
+            ring[i + 1] = static_cast<Index>(across[at] - static_cast<std::uint32_t>(ring[i - 1]));
+            if (ring[i + 1] != ring[0]) continue;
+            fan = {true, {ring, i + 1}};
+            return true;
+        }
+        return false;
+    }
+
     template <class Real>
     void AddRing(Index v, const Fan& fan, double share, RowEntries<Real>& row) const {
         Room<double> room;
         const double *ring, self = RingWeights(fan, room, ring);
+        const bool is_first = row.size() == 2;  // with nothing but the edge's ends: here ring[0] and v
         row.Add(v, share * self);
         for (std::size_t i = 0; i < fan.ring.size(); ++i) {
-            if (ring[i] != 0) row.Add(fan.ring[i], share * ring[i]);
+            if (ring[i] == 0) continue;
+            if (is_first && fan.is_closed && i > 0) {
+                row.AddNew(fan.ring[i], share * ring[i]);
+            } else {
+                row.Add(fan.ring[i], share * ring[i]);
+            }
         }
     }
     /// Weights of a ring, in the room or known before, and of the vertex inside.

@@ -17,11 +17,15 @@ class RowEntries {
     void Add(Index v, double weight) {
         const auto at = std::find(indices_, indices_ + n_, v) - indices_;
         if (at == n_) {
-            indices_[n_] = v;
-            weights_[n_++] = static_cast<Real>(weight);
+            AddNew(v, weight);
         } else {
             weights_[at] += static_cast<Real>(weight);
         }
+    }
+    /// The same for a vertex that is not there yet.
+    void AddNew(Index v, double weight) {
+        indices_[n_] = v;
+        weights_[n_++] = static_cast<Real>(weight);
     }
     int size() const { return static_cast<int>(n_); }
 

@@ -37,55 +37,98 @@ struct VectorOfFour {
     typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
 };
 
-/// The sum of a row's values, of which three are wanted. @param padded see PadToFour
+/// Sums the values of a row of n entries, of which three are wanted.
 template <class Real>
-void SumThree(const Internal::RowBuffer<Real>& row, const Real* padded, Real* destination) {
-    using Vector = typename VectorOfFour<Real>::Type;
-    Vector sum{};
-    for (std::size_t k = 0; k < row.n; ++k) {
-        Vector values;
-        std::memcpy(&values, padded + 4 * static_cast<Offset>(row.indices[k]), sizeof values);
-        sum += row.weights[k] * values;
+class SumThree {
+  public:
+    explicit SumThree(const Array<Real>& padded) : padded_(padded.data()) {}
+    void operator()(const Index* indices, const Real* weights, int n, Real* destination) const {
+        using Vector = typename VectorOfFour<Real>::Type;
+        Vector sum{};
+        for (int k = 0; k < n; ++k) {
+            Vector values;
+            std::memcpy(&values, padded_ + 4 * static_cast<Offset>(indices[k]), sizeof values);
+            sum += weights[k] * values;
+        }
+        for (int c = 0; c < 3; ++c) destination[c] = sum[c];
     }
-    for (int c = 0; c < 3; ++c) destination[c] = sum[c];
+
+  private:
+    const Real* padded_;
+};
+
+/// The same for any width.
+template <class Real>
+class Sum {
+  public:
+    Sum(const Real* source, int width) : source_(source), sum_(static_cast<std::size_t>(width)) {}
+    void operator()(const Index* indices, const Real* weights, int n, Real* destination) {
+        std::fill(sum_.begin(), sum_.end(), Real{0});
+        for (int k = 0; k < n; ++k) {
+            const Real* const from = source_ + static_cast<std::size_t>(indices[k]) * sum_.size();
+            for (std::size_t c = 0; c < sum_.size(); ++c) sum_[c] += weights[k] * from[c];
+        }
+        std::copy(sum_.begin(), sum_.end(), destination);
+    }
+
+  private:
+    const Real* source_;
+    std::vector<Real> sum_;
+};
+
+/// Rows made by fill(i, indices, weights), none longer than max_length(i), and summed one by one.
+template <class Real, class MaxLength, class Fill, class SumFunction>
+void InterpolateRows(Index n, const MaxLength& max_length, const Fill& fill, const SumFunction& sum_function,
+                     Real* destination, int width) {
+    Sdc::ParallelFor(n, kGrain, [=](Offset begin, Offset end) {
+        std::size_t room = 0;
+        for (Offset i = begin; i < end; ++i) room = std::max(room, max_length(static_cast<Index>(i)));
+        std::vector<Index> indices(room);
+        std::vector<Real> weights(room);
+        SumFunction sum = sum_function;
+        for (Offset i = begin; i < end; ++i) {
+            const int length = fill(static_cast<Index>(i), indices.data(), weights.data());
+            sum(indices.data(), weights.data(), length, destination + i * width);
+        }
+    });
 }
 
-/// The same for any width, in room for it.
-template <class Real>
-void Sum(const Internal::RowBuffer<Real>& row, const Real* source, std::span<Real> sum, Real* destination) {
-    std::fill(sum.begin(), sum.end(), Real{0});
-    for (std::size_t k = 0; k < row.n; ++k) {
-        const Real* const from = source + static_cast<std::size_t>(row.indices[k]) * sum.size();
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += row.weights[k] * from[c];
+template <class Real, class Scheme, class SumFunction>
+void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_level, const SumFunction& sum,
+                         const Real* source, Real* destination, int width) {
+    const Internal::Rows<Scheme>* const rows = &of_level;
+    if constexpr (rows->kVerticesStay) {
+        Sdc::ParallelFor(static_cast<Offset>(parent.n_vertices) * width, kGrain, [&](Offset begin, Offset end) {
+            std::copy(source + begin, source + end, destination + begin);
+        });
+    } else {
+        InterpolateRows(
+            parent.n_vertices, [rows](Index v) { return rows->MaxVertexLength(v); },
+            [rows](Index v, Index* indices, Real* weights) { return rows->FillVertex(v, indices, weights); }, sum,
+            destination, width);
     }
-    std::copy(sum.begin(), sum.end(), destination);
+    destination += static_cast<Offset>(rows->ChildOfEdge(0)) * width;
+    InterpolateRows(
+        parent.n_edges, [rows](Index e) { return rows->MaxEdgeLength(e); },
+        [rows](Index e, Index* indices, Real* weights) { return rows->FillEdge(e, indices, weights); }, sum,
+        destination, width);
+    destination += static_cast<Offset>(parent.n_edges) * width;
+    InterpolateRows(
+        parent.n_octs, [rows](Index) { return rows->MaxOctLength(); },
+        [rows](Index o, Index* indices, Real* weights) { return rows->FillOct(o, indices, weights); }, sum, destination,
+        width);
 }
 
 template <class Real, class Scheme>
 void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Scheme& scheme, const Real* source,
                       Real* destination, int width) {
     const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
-    Index first = 0;
-    if constexpr (rows.kVerticesStay) {
-        first = parent.n_vertices;
-        Sdc::ParallelFor(static_cast<Offset>(first) * width, kGrain, [&](Offset begin, Offset end) {
-            std::copy(source + begin, source + end, destination + begin);
-        });
+    if (width == 3) {
+        const Array<Real> padded = PadToFour(source, parent.n_vertices);
+        InterpolateChildren(parent, rows, SumThree<Real>(padded), source, destination, width);
+    } else {
+        InterpolateChildren(parent, rows, Sum<Real>(source, width), source, destination, width);
     }
-    const Array<Real> padded = width == 3 ? PadToFour(source, parent.n_vertices) : Array<Real>{};
-    Sdc::ParallelFor(rows.n_children() - first, kGrain, [&](Offset begin, Offset end) {
-        Internal::RowBuffer<Real> row;
-        std::vector<Real> sum(static_cast<std::size_t>(width));
-        for (Offset child = first + begin; child < first + end; ++child) {
-            row.Read(rows, static_cast<Index>(child));
-            Real* const to = destination + child * width;
-            if (width == 3) {
-                SumThree(row, padded.data(), to);
-            } else {
-                Sum<Real>(row, source, sum, to);
-            }
-        }
-    });
 }
 
 }  // namespace

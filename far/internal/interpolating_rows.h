@@ -27,15 +27,12 @@ class ButterflyRows {
   public:
     ButterflyRows(const Level& level, const SharpRules& sharp, const Sdc::ButterflySurface& rule)
         : level_(level), walk_(level, sharp), rule_(rule), has_quick_rows_(!rule.is_modified || rule.far_weight == 0) {
-        constexpr Offset kGrain = 4096;
         across_.resize(static_cast<std::size_t>(level.n_edges));
         Sdc::ParallelFor(level.n_edges, kGrain, [&](Offset begin, Offset end) {
             for (Offset i = begin; i < end; ++i) across_[i] = SumAcross(static_cast<Index>(i));
         });
         is_regular_.resize(static_cast<std::size_t>(level.n_vertices));
-        Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
-            for (Offset v = begin; v < end; ++v) is_regular_[v] = walk_.IsRegularInside(static_cast<Index>(v));
-        });
+        FindRings();
         for (int n = 3; rule.is_modified && n < kFew; ++n) {
             Sdc::ButterflySurface::ClosedRing(n, {closed_rings_[n].data(), static_cast<std::size_t>(n)});
         }
@@ -57,6 +54,7 @@ class ButterflyRows {
     }
 
   private:
+    static constexpr Offset kGrain = 4096;
     static constexpr std::size_t kRegularLength = 10;
     static constexpr int kFew = 13;
     static constexpr std::uint32_t kNothing = ~std::uint32_t{0};  // no sum of two indices
@@ -110,7 +108,7 @@ class ButterflyRows {
         Fans fans;
         for (int i = 0; i < 2; ++i) {
             const Index v = level_.EdgeVertices(e)[i];
-            if (!is_regular_[v] && !FindClosedFan(v, e, rooms[i], fans[i])) fans[i] = walk_.FanAt(v, e, rooms[i]);
+            if (!is_regular_[v]) fans[i] = FanAt(v, e, rooms[i]);
         }
         return fans;
     }
@@ -134,32 +132,51 @@ class ButterflyRows {
         return n_rings > 0;
     }
 
-    /// The same fan as SurfaceWalk::FanAt finds, without a walk: false unless it is closed and small.
-    bool FindClosedFan(Index v, Index e, Room<Index>& room, Fan& fan) const {
-        const auto edges = level_.vertex_edges[v];
-        if (edges.size() >= kFew) return false;
-        std::array<Index, kFew> neighbors;
-        std::array<std::uint32_t, kFew> across;
-        std::size_t n = 0;
-        for (Index other : edges) {
-            across[n] = across_[other];
-            const auto ends = level_.EdgeVertices(other);
-            neighbors[n] = ends[0] + ends[1] - v;
-            n += across[n] != kNothing;
+    /// As SurfaceWalk::FanAt, from the rings found before where there is one.
+    Fan FanAt(Index v, Index e, Room<Index>& room) const {
+        const Offset start = ring_offsets_[v];
+        const std::size_t n = static_cast<std::size_t>(ring_offsets_[v + 1] - start);
+        const Index* const known = rings_.data() + start;
+        if (n == 0 || known[0] == kNoIndex) return walk_.FanAt(v, e, room);
+        Index* const ring = room.For(n);
+        const auto ends = level_.EdgeVertices(e);
+        std::size_t at = 0;
+        while (known[at] != ends[0] + ends[1] - v) ++at;
+        const bool is_forward = known[at + 1 < n ? at + 1 : 0] == level_.ThirdVertex(walk_.FacesAt(e).first, e);
+        for (std::size_t i = 0; i < n; ++i) {
+            ring[i] = known[at];
+            at = is_forward ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at - 1 : n - 1);
         }
-        const auto mine = level_.EdgeVertices(e);
-        Index* const ring = room.For(kFew + 1);
-        ring[0] = mine[0] + mine[1] - v;
-        ring[1] = level_.ThirdVertex(walk_.FacesAt(e).first, e);
-        for (std::size_t i = 1; i < n; ++i) {
-            const auto at = std::find(neighbors.begin(), neighbors.begin() + n, ring[i]) - neighbors.begin();
-            if (static_cast<std::size_t>(at) == n) return false;  // beyond an edge that ends the surface
-            ring[i + 1] = static_cast<Index>(across[at] - static_cast<std::uint32_t>(ring[i - 1]));
-            if (ring[i + 1] != ring[0]) continue;
-            fan = {true, {ring, i + 1}};
-            return true;
-        }
-        return false;
+        return {true, {ring, n}};
+    }
+    /// Finds the rings of vertices inside surfaces that are not regular: all their edges ask for them.
+    void FindRings() {
+        ring_offsets_.resize(static_cast<std::size_t>(level_.n_vertices) + 1);
+        const auto for_vertices = [&](auto&& body) {
+            Sdc::ParallelFor(level_.n_vertices, kGrain, [&](Offset begin, Offset end) {
+                for (Offset v = begin; v < end; ++v) body(static_cast<Index>(v));
+            });
+        };
+        for_vertices([&](Index v) {
+            is_regular_[v] = walk_.IsRegularInside(v);
+            ring_offsets_[v] = 0;
+            if (is_regular_[v] || !walk_.IsInside(v)) return;
+            for (Index e : level_.vertex_edges[v]) ring_offsets_[v] += across_[e] != kNothing;
+        });
+        rings_.resize(static_cast<std::size_t>(Sdc::ScanLengths(ring_offsets_)));
+        for_vertices([&](Index v) {
+            if (ring_offsets_[v] == ring_offsets_[v + 1]) return;
+            const auto edges = level_.vertex_edges[v];
+            const Index e = *std::find_if(edges.begin(), edges.end(), [&](Index i) { return across_[i] != kNothing; });
+            Room<Index> room;
+            const Fan fan = walk_.FanAt(v, e, room);
+            const auto ring = rings_.begin() + ring_offsets_[v];
+            if (fan.is_closed && static_cast<Offset>(fan.ring.size()) == ring_offsets_[v + 1] - ring_offsets_[v]) {
+                std::copy(fan.ring.begin(), fan.ring.end(), ring);
+            } else {
+                *ring = kNoIndex;  // a curve ends here
+            }
+        });
     }
 
     template <class Real>
@@ -245,6 +262,8 @@ class ButterflyRows {
     const bool has_quick_rows_;
     Array<std::uint32_t> across_;     // of each edge where a surface goes on: the third vertices of its faces, summed
     Array<std::uint8_t> is_regular_;  // of each vertex: inside a surface, among six triangles
+    Array<Offset> ring_offsets_;      // of each vertex: its ring in rings_, if it is inside a surface and not regular
+    Array<Index> rings_;
     std::array<std::array<double, kFew>, kFew> closed_rings_{};  // weights, by the number of triangles
 };
 

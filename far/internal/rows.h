@@ -14,6 +14,7 @@
 #include <solidsubdiv/far/internal/interpolating_rows.h>
 #include <solidsubdiv/far/internal/row_entries.h>
 #include <solidsubdiv/far/internal/sharp_rows.h>
+#include <solidsubdiv/far/internal/surface_rows.h>
 #include <solidsubdiv/far/internal/two_neighbors.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/vtr/level.h>
@@ -69,28 +70,26 @@ class Rows {
     bool IsSharp(Index v) const { return sharp_.ChangesVertex(v); }
     bool IsFading(Index v) const { return sharp_.IsFading(v); }
 
-    /// At least the number of entries of the row; quick.
+    /// At least the number of entries of a row; quick.
+    std::size_t MaxVertexLength(Index v) const {
+        return static_cast<std::size_t>(1 + level_.vertex_edges.Count(v) + level_.vertex_octs.Count(v));
+    }
+    std::size_t MaxEdgeLength(Index e) const {
+        if constexpr (Surface::kIsWide) {
+            const Rule rule = level_.edge_tags[e].rule();
+            if (rule == Rule::Surface) return butterfly_.MaxLength(e);
+            if (rule == Rule::Curve) return MaxInterpolatingLength(level_, e);
+        }
+        std::size_t n = static_cast<std::size_t>(2 + level_.edge_faces.Count(e) + 2 * level_.edge_octs.Count(e));
+        if constexpr (UsesTwoNeighbors<Scheme>()) n += two_neighbors_.MaxEdgeCount(e);
+        return n;
+    }
+    static constexpr std::size_t MaxOctLength() {
+        return UsesTwoNeighbors<Scheme>() ? kOctLength + TwoNeighbors::kMaxOctCount : kOctLength;
+    }
     std::size_t MaxLength(Index child) const {
         const auto [kind, i] = Locate(child);
-        switch (kind) {
-            case Kind::Vertex:
-                return static_cast<std::size_t>(1 + level_.vertex_edges.Count(i) + level_.vertex_octs.Count(i));
-            case Kind::Edge: {
-                const Rule rule = level_.edge_tags[i].rule();
-                if constexpr (Surface::kIsWide) {
-                    if (rule == Rule::Surface) return butterfly_.MaxLength(i);
-                }
-                if constexpr (Curve::kIsWide) {
-                    if (rule == Rule::Curve) return MaxInterpolatingLength(level_, i);
-                }
-                std::size_t n =
-                    static_cast<std::size_t>(2 + level_.edge_faces.Count(i) + 2 * level_.edge_octs.Count(i));
-                if constexpr (UsesTwoNeighbors<Scheme>()) n += two_neighbors_.MaxEdgeCount(i);
-                return n;
-            }
-            default:
-                return UsesTwoNeighbors<Scheme>() ? kOctLength + TwoNeighbors::kMaxOctCount : kOctLength;
-        }
+        return kind == Kind::Vertex ? MaxVertexLength(i) : kind == Kind::Edge ? MaxEdgeLength(i) : MaxOctLength();
     }
     /// Fills the row and returns its length. Room for MaxLength(child) entries is needed.
     template <class Real>
@@ -189,11 +188,12 @@ class Rows {
             }
         }
         if constexpr (!Surface::kVerticesStay) {  // a linear surface is as sharp as can be
+            RowEntries<Real> row(indices, weights);
             if (is_sharp) {
-                RowEntries<Real> row(indices, weights);
                 FillSharpEdge(level_, sharp_, surface_, curve_, e, row);
                 return row.size();
             }
+            if (rule == Rule::Surface) return FillSurfaceEdge(level_, surface_, e, indices, weights);
         }
         return FillNarrowEdge(e, indices, weights);
     }
@@ -265,21 +265,13 @@ class Rows {
         indices[0] = ends[0];
         indices[1] = ends[1];
         double end = 0.5, face = 0, oct = 0;
-        switch (level_.edge_tags[e].rule()) {
-            case Rule::Solid:
-                if constexpr (Scheme::kSolids && !UsesTwoNeighbors<Scheme>()) {
-                    const Sdc::EdgeWeights w = scheme_.Edge({n_faces, n_octs, n - 2 - n_faces});
-                    end = w.end, face = w.face, oct = w.oct;
-                }
-                break;
-            case Rule::Surface:
-                if constexpr (!Surface::kIsWide) {
-                    const Sdc::EdgePairWeights w = surface_.Edge();
-                    end = w.end, face = w.opposite;
-                }
-                break;
-            default:
-                if constexpr (!Curve::kIsWide) end = curve_.EdgeEnd();
+        if (level_.edge_tags[e].rule() == Rule::Solid) {
+            if constexpr (Scheme::kSolids && !UsesTwoNeighbors<Scheme>()) {
+                const Sdc::EdgeWeights w = scheme_.Edge({n_faces, n_octs, n - 2 - n_faces});
+                end = w.end, face = w.face, oct = w.oct;
+            }
+        } else if constexpr (!Curve::kIsWide) {
+            end = curve_.EdgeEnd();
         }
         weights[0] = weights[1] = static_cast<Real>(end);
         for (int i = 2; i < 2 + n_faces; ++i) weights[i] = static_cast<Real>(face);
@@ -309,6 +301,10 @@ class Rows {
                 return;
             case Rule::Surface:
                 if (Surface::kVerticesStay) return;
+                if (!tag.in_cell() && !tag.non_manifold()) {  // a disc alone
+                    for (Index e : level_.vertex_edges[v]) on_edge(OtherEnd(e, v));
+                    return;
+                }
                 for (Index e : level_.vertex_edges[v]) {
                     const Tag edge = level_.edge_tags[e];
                     const bool on_surface =
@@ -355,8 +351,9 @@ class Rows {
             }
         } else if (tag.rule() == Rule::Surface) {
             if (Surface::kVerticesStay) return;
-            for (Index f : level_.edge_faces[e]) {
-                if (level_.face_tags[f].is_boundary()) on_face(level_.ThirdVertex(f, e));
+            const auto faces = level_.edge_faces[e];
+            for (Index f : faces) {
+                if (faces.size() == 2 || level_.face_tags[f].is_boundary()) on_face(level_.ThirdVertex(f, e));
             }
         }
     }

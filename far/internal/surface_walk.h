@@ -53,8 +53,10 @@ class SurfaceWalk {
     };
     /// The two faces of the surface at an edge of the surface rule.
     Faces FacesAt(Index e) const {
+        const auto all = level_.edge_faces[e];
+        if (all.size() == 2) return {all[0], all[1]};
         Faces faces{kNoIndex, kNoIndex};
-        for (Index f : level_.edge_faces[e]) {
+        for (Index f : all) {
             if (level_.face_tags[f].is_boundary()) (faces.first == kNoIndex ? faces.first : faces.second) = f;
         }
         return faces;
@@ -70,11 +72,15 @@ class SurfaceWalk {
         return level_.FaceEdges(f)[vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2];
     }
 
+    /// Whether the surface goes on across all its edges at v, once around.
+    bool IsInside(Index v) const {
+        const Tag tag = level_.vertex_tags[v];
+        return tag.rule() == Rule::Surface && !tag.non_manifold() && !sharp_.ChangesVertex(v);
+    }
     /// Whether v lies inside a surface, with six triangles around it: the usual case, found without a walk.
     bool IsRegularInside(Index v) const {
-        const Tag tag = level_.vertex_tags[v];
-        if (tag.rule() != Rule::Surface || tag.non_manifold() || sharp_.ChangesVertex(v)) return false;
-        if (!tag.in_cell()) return level_.vertex_edges.Count(v) == 6;
+        if (!IsInside(v)) return false;
+        if (!level_.vertex_tags[v].in_cell()) return level_.vertex_edges.Count(v) == 6;
         int n = 0;
         for (Index e : level_.vertex_edges[v]) n += level_.edge_tags[e].rule() == Rule::Surface;
         return n == 6;

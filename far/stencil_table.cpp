@@ -65,14 +65,8 @@ StencilRows<Real> MakeRows(const Level& parent, const Sharpness& sharpness, cons
     if constexpr (Internal::Rows<Scheme>::kHasLengths) return MakeCountedRows<Real>(parent, rows);
     struct Nothing {};
     return Internal::RowMaker<Real, Nothing>(rows.n_children(), parent.n_vertices, {})
-        .Make([&](Index child, Nothing&, Internal::RowPart<Real>& part) {
-            const std::size_t at = part.indices.size(), room = at + rows.MaxLength(child);
-            part.indices.resize(room);
-            part.weights.resize(room);
-            const std::size_t n = at + rows.Fill(child, part.indices.data() + at, part.weights.data() + at);
-            part.indices.resize(n);
-            part.weights.resize(n);
-        });
+        .Make([&](Index child) { return rows.MaxLength(child); },
+              [&](Index child, Index* indices, Real* weights) { return rows.Fill(child, indices, weights); });
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct alignas(64) RowPart {
     Offset start = 0;  ///< of the part in the table
 };
 
-/// Makes rows a chunk at a time: row(i, worker, part) appends row i to the part. Fresh memory is what this costs most,
+/// Makes rows a chunk at a time. Fresh memory is what this costs most,
 /// so chunks are made in waves of small buffers that are used again, and the table is reserved at once for about what a
 /// sample of the rows takes.
 template <class Real, class Worker>
@@ -33,13 +33,49 @@ class RowMaker {
         parts_.resize(static_cast<std::size_t>(kChunksAThread * n_threads_));
     }
 
+    /// row(i, worker, part) appends row i to the part.
     template <class RowFunction>
     StencilRows<Real> Make(RowFunction&& row) {
-        Reserve(row);
+        return MakeChunks([&](Offset first, Offset end, Worker& worker, Part& part) {
+            part.indices.clear();
+            part.weights.clear();
+            for (Offset i = first; i < end; ++i) {
+                row(static_cast<Index>(i), worker, part);
+                rows_.offsets[i + 1] = static_cast<Offset>(part.indices.size());
+            }
+        });
+    }
+    /// fill(i, indices, weights) writes row i and returns its length, at most max_length(i).
+    template <class MaxLength, class Fill>
+    StencilRows<Real> Make(MaxLength&& max_length, Fill&& fill) {
+        return MakeChunks([&](Offset first, Offset end, Worker&, Part& part) {
+            std::size_t room = 0, n = 0;
+            for (Offset i = first; i < end; ++i) room += max_length(static_cast<Index>(i));
+            part.indices.resize(room);
+            part.weights.resize(room);
+            for (Offset i = first; i < end; ++i) {
+                n += fill(static_cast<Index>(i), part.indices.data() + n, part.weights.data() + n);
+                rows_.offsets[i + 1] = static_cast<Offset>(n);
+            }
+            part.indices.resize(n);
+            part.weights.resize(n);
+        });
+    }
+
+  private:
+    static constexpr Offset kChunk = 256, kChunksAThread = 16;
+    using Part = RowPart<Real>;
+
+    /// chunk(first, end, worker, part) makes rows [first, end) in the part, and their ends in it.
+    template <class ChunkFunction>
+    StencilRows<Real> MakeChunks(ChunkFunction&& chunk) {
+        Reserve(chunk);
         const Offset wave = kChunk * static_cast<Offset>(parts_.size());
         for (Offset first = 0; first < n_; first += wave) {
             const Offset n_chunks = (std::min(wave, n_ - first) + kChunk - 1) / kChunk;
-            ForChunks(n_chunks, [&](Offset c, Worker& worker) { Sum(first + c * kChunk, parts_[c], worker, row); });
+            ForChunks(n_chunks, [&](Offset c, Worker& worker) {
+                chunk(first + c * kChunk, ChunkEnd(first + c * kChunk), worker, parts_[c]);
+            });
             Offset end = static_cast<Offset>(rows_.indices.size());
             for (Offset c = 0; c < n_chunks; ++c) {
                 parts_[c].start = end;
@@ -52,9 +88,7 @@ class RowMaker {
         return std::move(rows_);
     }
 
-  private:
-    static constexpr Offset kChunk = 256, kChunksAThread = 16;
-    using Part = RowPart<Real>;
+    Offset ChunkEnd(Offset first) const { return std::min<Offset>(first + kChunk, n_); }
 
     template <class Body>
     void ForChunks(Offset n_chunks, Body&& body) {
@@ -65,32 +99,22 @@ class RowMaker {
         });
     }
 
-    template <class RowFunction>
-    void Sum(Offset first, Part& part, Worker& worker, RowFunction&& row) {
-        part.indices.clear();
-        part.weights.clear();
-        for (Offset i = first; i < std::min<Offset>(first + kChunk, n_); ++i) {
-            row(static_cast<Index>(i), worker, part);
-            rows_.offsets[i + 1] = static_cast<Offset>(part.indices.size());  // within the chunk, for now
-        }
-    }
-
     void Join(Offset first, const Part& part) {
-        for (Offset i = first; i < std::min<Offset>(first + kChunk, n_); ++i) rows_.offsets[i + 1] += part.start;
+        for (Offset i = first; i < ChunkEnd(first); ++i) rows_.offsets[i + 1] += part.start;
         std::copy(part.indices.begin(), part.indices.end(), rows_.indices.begin() + part.start);
         std::copy(part.weights.begin(), part.weights.end(), rows_.weights.begin() + part.start);
     }
 
-    template <class RowFunction>
-    void Reserve(RowFunction&& row) {
+    template <class ChunkFunction>
+    void Reserve(ChunkFunction&& chunk) {
         constexpr Offset kStep = 101;  // one row in so many; prime, so that it follows no pattern of the mesh
-        Part sample;
+        std::size_t n_weights = 0;
         Offset n_rows = 0;
         for (Offset i = 0; i < n_; i += kStep, ++n_rows) {
-            row(static_cast<Index>(i), workers_[0].worker, sample);
+            chunk(i, i + 1, workers_[0].worker, parts_[0]);
+            n_weights += parts_[0].indices.size();
         }
-        const double mean =
-            static_cast<double>(sample.indices.size()) / static_cast<double>(std::max<Offset>(n_rows, 1));
+        const double mean = static_cast<double>(n_weights) / static_cast<double>(std::max<Offset>(n_rows, 1));
         const std::size_t room = static_cast<std::size_t>(1.02 * mean * static_cast<double>(n_));
         rows_.indices.reserve(room);
         rows_.weights.reserve(room);

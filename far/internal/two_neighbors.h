@@ -23,8 +23,14 @@ class TwoNeighbors {
         : level_(level), edge_tets_(Vtr::Invert(level.tet_edges, Sdc::Tet::kEdges, level.n_edges, true)) {
         apex_sums_.assign(static_cast<std::size_t>(level.n_faces), 0);
         // Sums of whole numbers are the same in any order.
+        const bool is_alone = Sdc::ThreadCount() == 1;
         const auto add = [&](Index face, Index apex) {
-            std::atomic_ref(apex_sums_[face]).fetch_add(static_cast<std::uint32_t>(apex), std::memory_order_relaxed);
+            if (is_alone) {
+                apex_sums_[face] += static_cast<std::uint32_t>(apex);
+            } else {
+                std::atomic_ref(apex_sums_[face])
+                    .fetch_add(static_cast<std::uint32_t>(apex), std::memory_order_relaxed);
+            }
         };
         constexpr Offset kGrain = 4096;
         Sdc::ParallelFor(level.n_tets, kGrain, [&](Offset begin, Offset end) {
@@ -39,6 +45,11 @@ class TwoNeighbors {
                 const auto f = level.OctFaces(static_cast<Index>(o));
                 const auto v = level.OctVertices(static_cast<Index>(o));
                 for (int i = 0; i < Sdc::Oct::kFaces; ++i) add(f[i], v[OwnApex(i)]);
+            }
+        });
+        Sdc::ParallelFor(level.n_faces, kGrain, [&](Offset begin, Offset end) {
+            for (Offset f = begin; f < end; ++f) {
+                if (level.face_tags[f].n_cells() < 2) apex_sums_[f] = kNothing;
             }
         });
     }
@@ -98,17 +109,23 @@ class TwoNeighbors {
 
     /// False if there is nothing across.
     bool AddAcross(Index face, Index own_apex, Index* out, int& n) const {
-        if (level_.face_tags[face].n_cells() < 2) return false;
-        AddDistinct(static_cast<Index>(apex_sums_[face] - static_cast<std::uint32_t>(own_apex)), out, n);
+        const std::uint32_t sum = apex_sums_[face];
+        if (sum == kNothing) return false;
+        AddDistinct(static_cast<Index>(sum - static_cast<std::uint32_t>(own_apex)), out, n);
         return true;
     }
     static void AddDistinct(Index v, Index* out, int& n) {
-        if (std::find(out, out + n, v) == out + n) out[n++] = v;
+        int i = 0;  // the lists are short: std::find takes longer to start
+        while (i < n && out[i] != v) ++i;
+        out[n] = v;
+        n += i == n;
     }
+
+    static constexpr std::uint32_t kNothing = ~std::uint32_t{0};  // no sum of two indices
 
     const Level& level_;
     Vtr::Relation edge_tets_;               // with locals: which edge of the tet
-    std::vector<std::uint32_t> apex_sums_;  // of each face: its cells' vertices across it, summed
+    std::vector<std::uint32_t> apex_sums_;  // of each face between cells: their vertices across it, summed
 };
 
 /// Weighs a row of the two ends, the one-neighbours up to n and n_two two-neighbours after them (-1: incomplete,
@@ -122,7 +139,8 @@ int WeighTwoNeighbors(const Scheme& scheme, Index* indices, Real* weights, int n
     std::fill(weights + 2, weights + n, static_cast<Real>(w.one));
     int length = n;
     for (int i = n; i < n + n_two; ++i) {
-        const auto at = std::find(indices, indices + n, indices[i]) - indices;
+        int at = 0;
+        while (at < n && indices[at] != indices[i]) ++at;
         if (at < n) {
             weights[at] += static_cast<Real>(w.two);
         } else {

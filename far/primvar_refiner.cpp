@@ -97,7 +97,7 @@ template <class Real, class Scheme, class SumFunction>
 void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_level, const SumFunction& sum,
                          const Real* source, Real* destination, int width) {
     const Internal::Rows<Scheme>* const rows = &of_level;
-    if constexpr (rows->kVerticesStay) {
+    if constexpr (Internal::Rows<Scheme>::kVerticesStay) {
         Sdc::ParallelFor(static_cast<Offset>(parent.n_vertices) * width, kGrain, [&](Offset begin, Offset end) {
             std::copy(source + begin, source + end, destination + begin);
         });

@@ -21,36 +21,22 @@ class TwoNeighbors {
   public:
     explicit TwoNeighbors(const Level& level)
         : level_(level), edge_tets_(Vtr::Invert(level.tet_edges, Sdc::Tet::kEdges, level.n_edges, true)) {
-        apex_sums_.assign(static_cast<std::size_t>(level.n_faces), 0);
-        // Sums of whole numbers are the same in any order.
+        // Of each face: its cells' vertices across it, summed. Sums of whole numbers are the same in any order.
+        std::vector<std::uint32_t> sums(static_cast<std::size_t>(level.n_faces));
         const bool is_alone = Sdc::ThreadCount() == 1;
-        const auto add = [&](Index face, Index apex) {
+        ForCells([&](Index face, Index apex, Offset) {
             if (is_alone) {
-                apex_sums_[face] += static_cast<std::uint32_t>(apex);
+                sums[face] += static_cast<std::uint32_t>(apex);
             } else {
-                std::atomic_ref(apex_sums_[face])
-                    .fetch_add(static_cast<std::uint32_t>(apex), std::memory_order_relaxed);
-            }
-        };
-        constexpr Offset kGrain = 4096;
-        Sdc::ParallelFor(level.n_tets, kGrain, [&](Offset begin, Offset end) {
-            for (Offset t = begin; t < end; ++t) {
-                const auto f = level.TetFaces(static_cast<Index>(t));
-                const auto v = level.TetVertices(static_cast<Index>(t));
-                for (int i = 0; i < Sdc::Tet::kFaces; ++i) add(f[i], v[i]);
+                std::atomic_ref(sums[face]).fetch_add(static_cast<std::uint32_t>(apex), std::memory_order_relaxed);
             }
         });
-        Sdc::ParallelFor(level.n_octs, kGrain, [&](Offset begin, Offset end) {
-            for (Offset o = begin; o < end; ++o) {
-                const auto f = level.OctFaces(static_cast<Index>(o));
-                const auto v = level.OctVertices(static_cast<Index>(o));
-                for (int i = 0; i < Sdc::Oct::kFaces; ++i) add(f[i], v[OwnApex(i)]);
-            }
-        });
-        Sdc::ParallelFor(level.n_faces, kGrain, [&](Offset begin, Offset end) {
-            for (Offset f = begin; f < end; ++f) {
-                if (level.face_tags[f].n_cells() < 2) apex_sums_[f] = kNothing;
-            }
+        // Every edge of a cell asks what is across its faces: found once a cell.
+        across_.resize(static_cast<std::size_t>(OctPlace(level.n_octs)));
+        ForCells([&](Index face, Index apex, Offset place) {
+            across_[place] = level.face_tags[face].n_cells() < 2
+                                 ? kNoIndex
+                                 : static_cast<Index>(sums[face] - static_cast<std::uint32_t>(apex));
         });
     }
 
@@ -66,10 +52,9 @@ class TwoNeighbors {
         const auto tets = edge_tets_[e];
         const auto tet_locals = edge_tets_.Locals(e);
         for (std::size_t k = 0; k < tets.size(); ++k) {
-            const auto v = level_.TetVertices(tets[k]);
-            const auto f = level_.TetFaces(tets[k]);
+            const Index* const across = across_.data() + TetPlace(tets[k]);
             for (Sdc::Local end : Sdc::Tet::edges[tet_locals[k]]) {
-                if (!AddAcross(f[end], v[end], out, n)) return -1;
+                if (!AddDistinct(across[end], out, n)) return -1;
             }
         }
         const auto octs = level_.edge_octs[e];
@@ -86,7 +71,7 @@ class TwoNeighbors {
             for (int d = 0; d < 2; ++d) {
                 const int b = j < 4 ? j - 2 : d, c = j < 4 ? d : j - 4;
                 const int face = 4 * Sdc::Oct::Opposite(i) + 2 * b + c;
-                if (!AddAcross(level_.OctFaces(octs[k])[face], v[i], out, n)) return -1;
+                if (!AddDistinct(across_[OctPlace(octs[k]) + face], out, n)) return -1;
             }
         }
         return n;
@@ -95,37 +80,53 @@ class TwoNeighbors {
     /// The same for the major diagonal of an octahedron.
     int OfMajorDiagonal(Index o, Index* out) const {
         int n = 0;
-        const auto v = level_.OctVertices(o);
-        const auto f = level_.OctFaces(o);
         for (int i = 0; i < Sdc::Oct::kFaces; ++i) {
-            if (!AddAcross(f[i], v[OwnApex(i)], out, n)) return -1;
+            if (!AddDistinct(across_[OctPlace(o) + i], out, n)) return -1;
         }
         return n;
     }
 
   private:
-    /// The end of the major diagonal that face i of an octahedron does not have: the apex of the tet at that face.
-    static constexpr int OwnApex(int i) { return i < Sdc::Oct::kFaces / 2 ? 1 : 0; }
+    /// Where a cell's vertices across its faces start.
+    Offset TetPlace(Index t) const { return Sdc::Tet::kFaces * static_cast<Offset>(t); }
+    Offset OctPlace(Index o) const { return TetPlace(level_.n_tets) + Sdc::Oct::kFaces * static_cast<Offset>(o); }
 
-    /// False if there is nothing across.
-    bool AddAcross(Index face, Index own_apex, Index* out, int& n) const {
-        const std::uint32_t sum = apex_sums_[face];
-        if (sum == kNothing) return false;
-        AddDistinct(static_cast<Index>(sum - static_cast<std::uint32_t>(own_apex)), out, n);
-        return true;
+    /// Calls body(face, apex, place) for each face of each tet and, cut along its major diagonal, of each octahedron:
+    /// the apex is the cell's own vertex across the face.
+    template <class Body>
+    void ForCells(Body&& body) const {
+        constexpr Offset kGrain = 4096;
+        Sdc::ParallelFor(level_.n_tets, kGrain, [&](Offset begin, Offset end) {
+            for (Index t = static_cast<Index>(begin); t < end; ++t) {
+                const auto f = level_.TetFaces(t);
+                const auto v = level_.TetVertices(t);
+                for (int i = 0; i < Sdc::Tet::kFaces; ++i) body(f[i], v[i], TetPlace(t) + i);
+            }
+        });
+        Sdc::ParallelFor(level_.n_octs, kGrain, [&](Offset begin, Offset end) {
+            for (Index o = static_cast<Index>(begin); o < end; ++o) {
+                const auto f = level_.OctFaces(o);
+                const auto v = level_.OctVertices(o);
+                for (int i = 0; i < Sdc::Oct::kFaces; ++i) {
+                    body(f[i], v[i < Sdc::Oct::kFaces / 2 ? 1 : 0], OctPlace(o) + i);
+                }
+            }
+        });
     }
-    static void AddDistinct(Index v, Index* out, int& n) {
+
+    /// False if there is no vertex.
+    static bool AddDistinct(Index v, Index* out, int& n) {
+        if (v == kNoIndex) return false;
         int i = 0;  // the lists are short: std::find takes longer to start
         while (i < n && out[i] != v) ++i;
         out[n] = v;
         n += i == n;
+        return true;
     }
 
-    static constexpr std::uint32_t kNothing = ~std::uint32_t{0};  // no sum of two indices
-
     const Level& level_;
-    Vtr::Relation edge_tets_;               // with locals: which edge of the tet
-    std::vector<std::uint32_t> apex_sums_;  // of each face between cells: their vertices across it, summed
+    Vtr::Relation edge_tets_;  // with locals: which edge of the tet
+    Array<Index> across_;      // of each face of each cell: the vertex across it, or kNoIndex
 };
 
 /// Weighs a row of the two ends, the one-neighbours up to n and n_two two-neighbours after them (-1: incomplete,

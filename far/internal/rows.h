@@ -11,7 +11,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <solidsubdiv/far/internal/interpolating_rows.h>
+#include <solidsubdiv/far/internal/butterfly_rows.h>
+#include <solidsubdiv/far/internal/four_point_row.h>
 #include <solidsubdiv/far/internal/row_entries.h>
 #include <solidsubdiv/far/internal/sharp_rows.h>
 #include <solidsubdiv/far/internal/surface_rows.h>
@@ -78,7 +79,7 @@ class Rows {
         if constexpr (Surface::kIsWide) {
             const Rule rule = level_.edge_tags[e].rule();
             if (rule == Rule::Surface) return butterfly_.MaxLength(e);
-            if (rule == Rule::Curve) return MaxInterpolatingLength(level_, e);
+            if (rule == Rule::Curve) return kFourPointLength;
         }
         std::size_t n = static_cast<std::size_t>(2 + level_.edge_faces.Count(e) + 2 * level_.edge_octs.Count(e));
         if constexpr (UsesTwoNeighbors<Scheme>()) n += two_neighbors_.MaxEdgeCount(e);

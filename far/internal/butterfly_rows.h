@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of new points on edges under the rules that look further than an edge's own faces: butterflies and 4-point
-// curves.
+// Rows of new points on the edges of surfaces under the butterflies, which look further than an edge's own faces.
 #pragma once
 
 #include <algorithm>
@@ -9,37 +8,35 @@
 #include <span>
 
 #include <solidsubdiv/far/internal/row_entries.h>
-#include <solidsubdiv/far/internal/surface_walk.h>
+#include <solidsubdiv/far/internal/surface_rings.h>
 #include <solidsubdiv/sdc/interpolating_masks.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far::Internal {
-
-/// Entries that a row of these rules may need: both rings and the four wings.
-inline std::size_t MaxInterpolatingLength(const Level& level, Index e) {
-    const auto ends = level.EdgeVertices(e);
-    return static_cast<std::size_t>(level.vertex_edges.Count(ends[0]) + level.vertex_edges.Count(ends[1]) + 10);
-}
 
 /// Rows of edges that follow the surface rule and are no creases, under a butterfly. What neighbouring edges ask again
 /// and again is found once a level. Source: rules.md section 6.
 class ButterflyRows {
   public:
     ButterflyRows(const Level& level, const SharpRules& sharp, const Sdc::ButterflySurface& rule)
-        : level_(level), walk_(level, sharp), rule_(rule), has_quick_rows_(!rule.is_modified || rule.far_weight == 0) {
+        : level_(level),
+          walk_(level, sharp),
+          rule_(rule),
+          rings_(level, walk_),
+          has_quick_rows_(!rule.is_modified || rule.far_weight == 0) {
         across_.resize(static_cast<std::size_t>(level.n_edges));
         Sdc::ParallelFor(level.n_edges, kGrain, [&](Offset begin, Offset end) {
             for (Offset i = begin; i < end; ++i) across_[i] = SumAcross(static_cast<Index>(i));
         });
-        is_regular_.resize(static_cast<std::size_t>(level.n_vertices));
-        FindRings();
         for (int n = 3; rule.is_modified && n < kFew; ++n) {
             Sdc::ButterflySurface::ClosedRing(n, {closed_rings_[n].data(), static_cast<std::size_t>(n)});
         }
     }
 
     std::size_t MaxLength(Index e) const {
-        return HasRegularEnds(e) ? kRegularLength : MaxInterpolatingLength(level_, e);
+        if (HasRegularEnds(e)) return kRegularLength;
+        const auto ends = level_.EdgeVertices(e);  // both rings and the four wings
+        return static_cast<std::size_t>(level_.vertex_edges.Count(ends[0]) + level_.vertex_edges.Count(ends[1]) + 10);
     }
     /// Fills the row and returns its length.
     template <class Real>
@@ -61,7 +58,7 @@ class ButterflyRows {
 
     bool HasRegularEnds(Index e) const {
         const auto ends = level_.EdgeVertices(e);
-        return is_regular_[ends[0]] && is_regular_[ends[1]];
+        return rings_.IsRegular(ends[0]) && rings_.IsRegular(ends[1]);
     }
     std::uint32_t SumAcross(Index e) const {
         if (walk_.EndsSurface(e)) return kNothing;
@@ -108,7 +105,7 @@ class ButterflyRows {
         Fans fans;
         for (int i = 0; i < 2; ++i) {
             const Index v = level_.EdgeVertices(e)[i];
-            if (!is_regular_[v]) fans[i] = FanAt(v, e, rooms[i]);
+            if (!rings_.IsRegular(v)) fans[i] = rings_.FanAt(v, e, rooms[i]);
         }
         return fans;
     }
@@ -130,53 +127,6 @@ class ButterflyRows {
             if (has_own_ring[i]) AddRing(ends[i], fans[i], rule_.pull / n_rings, row);
         }
         return n_rings > 0;
-    }
-
-    /// As SurfaceWalk::FanAt, from the rings found before where there is one.
-    Fan FanAt(Index v, Index e, Room<Index>& room) const {
-        const Offset start = ring_offsets_[v];
-        const std::size_t n = static_cast<std::size_t>(ring_offsets_[v + 1] - start);
-        const Index* const known = rings_.data() + start;
-        if (n == 0 || known[0] == kNoIndex) return walk_.FanAt(v, e, room);
-        Index* const ring = room.For(n);
-        const auto ends = level_.EdgeVertices(e);
-        std::size_t at = 0;
-        while (known[at] != ends[0] + ends[1] - v) ++at;
-        const bool is_forward = known[at + 1 < n ? at + 1 : 0] == level_.ThirdVertex(walk_.FacesAt(e).first, e);
-        for (std::size_t i = 0; i < n; ++i) {
-            ring[i] = known[at];
-            at = is_forward ? (at + 1 < n ? at + 1 : 0) : (at > 0 ? at - 1 : n - 1);
-        }
-        return {true, {ring, n}};
-    }
-    /// Finds the rings of vertices inside surfaces that are not regular: all their edges ask for them.
-    void FindRings() {
-        ring_offsets_.resize(static_cast<std::size_t>(level_.n_vertices) + 1);
-        const auto for_vertices = [&](auto&& body) {
-            Sdc::ParallelFor(level_.n_vertices, kGrain, [&](Offset begin, Offset end) {
-                for (Offset v = begin; v < end; ++v) body(static_cast<Index>(v));
-            });
-        };
-        for_vertices([&](Index v) {
-            is_regular_[v] = walk_.IsRegularInside(v);
-            ring_offsets_[v] = 0;
-            if (is_regular_[v] || !walk_.IsInside(v)) return;
-            for (Index e : level_.vertex_edges[v]) ring_offsets_[v] += across_[e] != kNothing;
-        });
-        rings_.resize(static_cast<std::size_t>(Sdc::ScanLengths(ring_offsets_)));
-        for_vertices([&](Index v) {
-            if (ring_offsets_[v] == ring_offsets_[v + 1]) return;
-            const auto edges = level_.vertex_edges[v];
-            const Index e = *std::find_if(edges.begin(), edges.end(), [&](Index i) { return across_[i] != kNothing; });
-            Room<Index> room;
-            const Fan fan = walk_.FanAt(v, e, room);
-            const auto ring = rings_.begin() + ring_offsets_[v];
-            if (fan.is_closed && static_cast<Offset>(fan.ring.size()) == ring_offsets_[v + 1] - ring_offsets_[v]) {
-                std::copy(fan.ring.begin(), fan.ring.end(), ring);
-            } else {
-                *ring = kNoIndex;  // a curve ends here
-            }
-        });
     }
 
     template <class Real>
@@ -259,35 +209,10 @@ class ButterflyRows {
     const Level& level_;
     const SurfaceWalk walk_;
     const Sdc::ButterflySurface rule_;
+    const SurfaceRings rings_;
     const bool has_quick_rows_;
-    Array<std::uint32_t> across_;     // of each edge where a surface goes on: the third vertices of its faces, summed
-    Array<std::uint8_t> is_regular_;  // of each vertex: inside a surface, among six triangles
-    Array<Offset> ring_offsets_;      // of each vertex: its ring in rings_, if it is inside a surface and not regular
-    Array<Index> rings_;
+    Array<std::uint32_t> across_;  // of each edge where a surface goes on: the third vertices of its faces, summed
     std::array<std::array<double, kFew>, kFew> closed_rings_{};  // weights, by the number of triangles
 };
-
-/// The 4-point rule; at a curve's end the three points nearest. @pre e follows the curve rule or is a crease
-template <class Real>
-void FillFourPointRow(const Level& level, const SharpRules& sharp, const Sdc::FourPointCurve& rule, Index e,
-                      RowEntries<Real>& row) {
-    const SurfaceWalk walk(level, sharp);
-    const auto ends = level.EdgeVertices(e);
-    const std::array<Index, 2> next{walk.NextOnCurve(e, ends[0]), walk.NextOnCurve(e, ends[1])};
-    const bool goes_on[2] = {next[0] != kNoIndex, next[1] != kNoIndex};
-    if (goes_on[0] && goes_on[1]) {
-        const auto w = rule.Edge();
-        for (Index v : ends) row.Add(v, w.end);
-        for (Index v : next) row.Add(v, w.next);
-    } else if (goes_on[0] || goes_on[1]) {
-        const int last = goes_on[0] ? 1 : 0;
-        const auto w = rule.LastEdge();
-        row.Add(ends[last], w.last);
-        row.Add(ends[1 - last], w.end);
-        row.Add(next[1 - last], w.next);
-    } else {
-        for (Index v : ends) row.Add(v, 0.5);
-    }
-}
 
 }  // namespace SolidSubdiv::Far::Internal

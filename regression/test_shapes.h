@@ -86,15 +86,19 @@ inline Shape SingleOct() {
     return {6, {}, {0, 1, 2, 3, 4, 5}, {}, {}, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, -1, 0, 0, 1}};
 }
 
-/// Keeps about `percent` of the tets: they meet in faces, edges and vertices in every way.
-inline Shape RandomSubset(const Shape& whole, int percent, std::uint64_t seed) {
+/// Keeps about `percent` of the elements of one kind.
+inline std::vector<Index> Some(const std::vector<Index>& elements, std::size_t arity, int percent, std::uint64_t seed) {
     Random random(seed);
-    Shape s = whole;
-    s.tets.clear();
-    for (std::size_t t = 0; t < whole.tets.size(); t += 4) {
-        if (random.Below(100) < percent)
-            s.tets.insert(s.tets.end(), whole.tets.begin() + t, whole.tets.begin() + t + 4);
+    std::vector<Index> some;
+    for (std::size_t i = 0; i < elements.size(); i += arity) {
+        if (random.Below(100) < percent) some.insert(some.end(), &elements[i], &elements[i] + arity);
     }
+    return some;
+}
+
+/// Keeps some of the tets: they meet in faces, edges and vertices in every way.
+inline Shape RandomSubset(Shape s, int percent, std::uint64_t seed) {
+    s.tets = Some(s.tets, 4, percent, seed);
     return s;
 }
 
@@ -164,15 +168,9 @@ inline Shape TriangleGrid(int n) {
     return s;
 }
 
-/// Keeps about `percent` of the triangles: borders of every kind, holes, fans that meet in a vertex.
-inline Shape RandomTriangles(const Shape& whole, int percent, std::uint64_t seed) {
-    Random random(seed);
-    Shape s = whole;
-    s.triangles.clear();
-    for (std::size_t t = 0; t < whole.triangles.size(); t += 3) {
-        if (random.Below(100) < percent)
-            s.triangles.insert(s.triangles.end(), whole.triangles.begin() + t, whole.triangles.begin() + t + 3);
-    }
+/// Keeps some of the triangles: borders of every kind, holes, fans that meet in a vertex.
+inline Shape RandomTriangles(Shape s, int percent, std::uint64_t seed) {
+    s.triangles = Some(s.triangles, 3, percent, seed);
     return s;
 }
 

@@ -2,6 +2,8 @@
 // Refines level by level: inherits what is sharp, makes each level's rows, applies and composes them.
 #include "butterfly_oracle.h"
 
+#include <algorithm>
+
 #include <stdexcept>
 #include <string>
 
@@ -25,14 +27,20 @@ TaggedLevel Unmarked(const Theirs::TopologyLevel& topology) {
             std::vector<bool>(static_cast<std::size_t>(topology.GetNumVertices()))};
 }
 
-TaggedLevel Mark(const Theirs::TopologyLevel& topology, const TaggedSurface& surface) {
+TaggedLevel Mark(const Theirs::TopologyLevel& topology, const ControlSurface& surface) {
     TaggedLevel level = Unmarked(topology);
-    for (const auto& [a, b] : surface.crease_edges) {
+    const SurfaceTags& tags = surface.tags;
+    const auto is_finite = [](float sharpness) { return sharpness < 10; };
+    if (std::any_of(tags.crease_sharpness.begin(), tags.crease_sharpness.end(), is_finite) ||
+        std::any_of(tags.corner_sharpness.begin(), tags.corner_sharpness.end(), is_finite)) {
+        throw std::runtime_error("butterflies know infinite sharpness only");
+    }
+    for (const auto& [a, b] : tags.creases) {
         const int edge = topology.FindEdge(a, b);
         if (edge < 0) throw std::runtime_error("no edge " + std::to_string(a) + " " + std::to_string(b) + " to crease");
         level.is_crease[edge] = true;
     }
-    for (const int v : surface.corners) {
+    for (const int v : tags.corners) {
         if (v < 0 || v >= topology.GetNumVertices()) throw std::runtime_error("no vertex " + std::to_string(v));
         level.is_corner[v] = true;
     }
@@ -79,7 +87,7 @@ SparseRows MakeStep(const TaggedLevel& level, const ButterflyRule& rule, int n_f
 }
 
 /// Rows of `fine` over the control vertices, from those of the level before (none: it is the control level).
-void Compose(const SparseRows& step, const LoopLevel& coarse, LoopLevel& fine) {
+void Compose(const SparseRows& step, const SurfaceLevel& coarse, SurfaceLevel& fine) {
     fine.row_offsets = {0};
     for (std::size_t r = 0; r + 1 < step.offsets.size(); ++r) {
         Stencil row;
@@ -100,20 +108,20 @@ void Compose(const SparseRows& step, const LoopLevel& coarse, LoopLevel& fine) {
 
 }  // namespace
 
-ButterflyRefinement RefineByButterflyOracle(const TaggedSurface& surface, const ButterflyRule& rule, int max_level,
+ButterflyRefinement RefineByButterflyOracle(const ControlSurface& surface, const ButterflyRule& rule, int max_level,
                                             int max_row_level) {
-    const auto refiner = MakeOpenSubdivRefiner(surface.surface, max_level);
+    const auto refiner = MakeOpenSubdivRefiner(surface, max_level);
     ButterflyRefinement result;
     result.levels.resize(static_cast<std::size_t>(max_level) + 1);
-    result.levels[0].positions = surface.surface.positions;
+    result.levels[0].positions = surface.positions;
     std::vector<TaggedLevel> tagged;
     for (int l = 0; l <= max_level; ++l) {
         const Theirs::TopologyLevel& topology = refiner->GetLevel(l);
-        LoopLevel& level = result.levels[l];
+        SurfaceLevel& level = result.levels[l];
         CopyTopology(topology, l == max_level, level);
         tagged.push_back(l == 0 ? Mark(topology, surface) : Inherit(tagged.back(), topology));
         if (l == 0) continue;
-        const LoopLevel& coarse = result.levels[l - 1];
+        const SurfaceLevel& coarse = result.levels[l - 1];
         result.steps.push_back(MakeStep(tagged[l - 1], rule, level.n_vertices));
         level.positions = Apply(result.steps.back(), coarse.positions);
         if (l <= max_row_level) Compose(result.steps.back(), coarse, level);

@@ -5,20 +5,12 @@
 // relations and makes the weights itself.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "loop_oracle.h"
 #include "sparse_rows.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
-
-/// A surface with infinitely sharp tags. Edges with other than two triangles are creases without being named.
-struct TaggedSurface {
-    LoopSurface surface;
-    std::vector<std::array<int, 2>> crease_edges;  ///< pairs of vertices
-    std::vector<int> corners;
-};
 
 /// New points of edges; vertices always stay.
 ///
@@ -48,15 +40,17 @@ struct ButterflyRule {
 
 struct ButterflyRefinement {
     /// Levels 0 to max_level, in the form of the Loop oracle: its comparisons take them as they are.
-    std::vector<LoopLevel> levels;
+    std::vector<SurfaceLevel> levels;
     /// steps[l]: the vertices of level l + 1 over those of level l.
     std::vector<SparseRows> steps;
 };
 
 /// Composite rows come with levels 1 to max_row_level. Vertices are numbered as OpenSubdiv does: match them by the
 /// children of vertices and edges.
-/// @throws std::runtime_error if OpenSubdiv refuses the surface, or a tag names what is not there
-ButterflyRefinement RefineByButterflyOracle(const TaggedSurface& surface, const ButterflyRule& rule, int max_level,
+/// @param surface whose tags are infinitely sharp; edges with other than two triangles are creases without being named
+/// @throws std::runtime_error if OpenSubdiv refuses the surface, or a tag is of another sharpness or names what is not
+/// there
+ButterflyRefinement RefineByButterflyOracle(const ControlSurface& surface, const ButterflyRule& rule, int max_level,
                                             int max_row_level = 0);
 
 }  // namespace SolidSubdiv::Validation

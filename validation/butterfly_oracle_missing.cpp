@@ -5,7 +5,7 @@
 
 namespace SolidSubdiv::Validation {
 
-ButterflyRefinement RefineByButterflyOracle(const TaggedSurface&, const ButterflyRule&, int, int) {
+ButterflyRefinement RefineByButterflyOracle(const ControlSurface&, const ButterflyRule&, int, int) {
     throw Unavailable{"OpenSubdiv was not found when this program was built (Debian: libosd-dev)"};
 }
 

@@ -5,10 +5,10 @@
 #include <solidsubdiv/kit/io/formats.h>
 
 #include "butterfly_oracle.h"
-#include "loop_compare.h"
 #include "meshes.h"
 #include "open_mesh_oracle.h"
 #include "solid_shapes.h"
+#include "surface_compare.h"
 #include "surface_shapes.h"
 #include "validators.h"
 #include "vtk_butterfly_oracle.h"
@@ -38,28 +38,14 @@ std::vector<Pair> SurfaceSchemes() {
     return pairs;
 }
 
-TaggedSurface Tagged(const LoopSurface& surface) {
-    // Infinite sharpness is all that these rules know; the topology has none.
-    TaggedSurface tagged{surface, surface.tags.creases, surface.tags.corners};
-    tagged.surface.tags = {};
-    return tagged;
-}
-
 Findings Compare(const Far::TopologyDescriptor& mesh, const Pair& pair, const std::vector<Triangle>& triangles,
-                 std::span<const double> positions, const SurfaceTags& tags, const LoopLevels& levels) {
+                 std::span<const double> positions, const SurfaceTags& tags, const ComparedLevels& levels) {
     const TaggedMesh tagged(mesh, tags);
     auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
     refiner.RefineUniform({.max_level = levels.positions});
     const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
-    const auto oracle = RefineByButterflyOracle(Tagged(start.surface), pair.rule, levels.positions, levels.rows);
+    const auto oracle = RefineByButterflyOracle(start.surface, pair.rule, levels.positions, levels.rows);
     return CompareWithLevels(refiner, pair.scheme, positions, start, oracle.levels, levels.rows);
-}
-
-std::vector<SurfaceShape> AllSurfaces() {
-    std::vector<SurfaceShape> shapes = OpenSurfaces();
-    for (const SolidShape& solid : ManifoldShapes())
-        shapes.push_back({"boundary of " + solid.name, BoundaryTriangles(solid.complex), solid.positions});
-    return shapes;
 }
 
 Far::TopologyDescriptor Describe(const SurfaceShape& shape, std::vector<Index>& corners) {
@@ -93,10 +79,7 @@ Findings ValidateButterflySurfaces(const Context&) {
 
 Findings ValidateButterflyBoundary(const Context& context) {
     Findings findings;
-    std::vector<SolidShape> shapes = ManifoldShapes();
-    for (SolidShape& shape : NonManifoldShapes()) shapes.push_back(std::move(shape));
-    for (std::uint32_t seed = 0; seed < 20; ++seed) shapes.push_back(RandomPiece(seed));
-    shapes.push_back(ReadSolidShape(context.shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
+    const std::vector<SolidShape> shapes = SolidsOfEveryKind(context.shapes);
     Sdc::Interpolatory modified, plain;
     plain.boundary = Sdc::ButterflyKind::Plain;
     std::array pairs{Pair{"modified butterfly", modified, ButterflyRule::Modified()},
@@ -119,13 +102,13 @@ Findings ValidateButterflyPrograms(const Context& context) {
     Findings findings;
     std::vector<SurfaceShape> shapes;
     std::vector<SurfaceOfMesh> starts;
-    std::vector<LoopSurface> surfaces;
+    std::vector<ControlSurface> surfaces;
     for (const SolidShape& solid : ManifoldShapes()) {
         shapes.push_back({"boundary of " + solid.name, BoundaryTriangles(solid.complex), solid.positions});
         starts.push_back(TakeSurface(shapes.back().triangles, solid.positions));
         surfaces.push_back(starts.back().surface);
     }
-    const auto compare = [&](std::size_t s, const std::vector<LoopLevel>& levels, const std::string& program) {
+    const auto compare = [&](std::size_t s, const std::vector<SurfaceLevel>& levels, const std::string& program) {
         std::vector<Index> corners;
         auto refiner = Far::TopologyRefiner::Create(Describe(shapes[s], corners), Sdc::Split::TetOct);
         refiner.RefineUniform({.max_level = static_cast<int>(levels.size()) - 1});

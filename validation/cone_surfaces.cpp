@@ -71,7 +71,7 @@ Cone MakeCone(int n_sectors, bool is_closed, int n_rings) {
     return cone;
 }
 
-std::vector<ConePlace> PlacesOfChildren(const Cone& cone, const LoopLevel& control) {
+std::vector<ConePlace> PlacesOfChildren(const Cone& cone, const SurfaceLevel& control) {
     std::vector<ConePlace> places(control.children_of_vertices.size() + control.children_of_edges.size());
     for (std::size_t v = 0; v < cone.places.size(); ++v) {
         const auto [s, p, q] = cone.places[v];

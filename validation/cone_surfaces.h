@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "loop_oracle.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
 
@@ -19,7 +19,7 @@ struct Cone {
     bool is_closed = false;
     int n_rings = 0;
     std::vector<ConePlace> places;  ///< of the surface's vertices
-    LoopSurface surface;            ///< in the plane z = 0, with rays of length n_rings at equal angles
+    ControlSurface surface;         ///< in the plane z = 0, with rays of length n_rings at equal angles
 
     int n_rays() const { return n_sectors + (is_closed ? 0 : 1); }
     bool IsWithin(int vertex, int radius) const { return places[vertex][1] + places[vertex][2] <= radius; }
@@ -30,7 +30,7 @@ Cone MakeCone(int n_sectors, bool is_closed, int n_rings);
 
 /// Vertices of the next level by where they are in the finer lattice: place 2p, 2q for the child of place p, q.
 /// @param control level 0 of a refinement of the cone, with its children
-std::vector<ConePlace> PlacesOfChildren(const Cone& cone, const LoopLevel& control);
+std::vector<ConePlace> PlacesOfChildren(const Cone& cone, const SurfaceLevel& control);
 
 /// Rows of a step as the matrix that takes the vertices within the radius to those at the same places of the finer
 /// lattice: (n, n), row-major, in the order of their numbers in the cone.

@@ -2,19 +2,16 @@
 // Validator loop-boundary: box-spline solids against OpenSubdiv on their boundaries.
 #include <solidsubdiv/kit/io/formats.h>
 
-#include "loop_compare.h"
 #include "meshes.h"
 #include "solid_shapes.h"
+#include "surface_compare.h"
 #include "validators.h"
 
 namespace SolidSubdiv::Validation {
 
 Findings ValidateLoopBoundary(const Context& context) {
     Findings findings;
-    std::vector<SolidShape> shapes = ManifoldShapes();
-    for (SolidShape& shape : NonManifoldShapes()) shapes.push_back(std::move(shape));
-    for (std::uint32_t seed = 0; seed < 20; ++seed) shapes.push_back(RandomPiece(seed));
-    shapes.push_back(ReadSolidShape(context.shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
+    const std::vector<SolidShape> shapes = SolidsOfEveryKind(context.shapes);
     for (const SolidShape& shape : shapes) {
         const CellArrays cells(shape.complex);
         findings.Merge(CompareWithLoop(cells.Descriptor(shape.n_vertices()), Sdc::BoxSpline{},

@@ -27,7 +27,7 @@ struct Position {
     }
 };
 
-void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::vector<LoopLevel>& levels) {
+void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::vector<SurfaceLevel>& levels) {
     using Factory = Theirs::StencilTableFactoryReal<double>;
     Factory::Options options;
     options.generateIntermediateLevels = true;
@@ -36,7 +36,7 @@ void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::ve
     const std::unique_ptr<const Theirs::StencilTableReal<double>> table(Factory::Create(refiner, options));
     int next = 0;
     for (int l = 1; l <= max_row_level; ++l) {
-        LoopLevel& level = levels[l];
+        SurfaceLevel& level = levels[l];
         level.row_offsets.push_back(0);
         for (int v = 0; v < level.n_vertices; ++v) {
             const auto row = table->GetStencil(next++);
@@ -51,16 +51,16 @@ void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::ve
 
 }  // namespace
 
-std::vector<LoopLevel> RefineByOpenSubdiv(const LoopSurface& surface, int max_level, int max_row_level) {
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int max_level, int max_row_level) {
     const auto refiner = MakeOpenSubdivRefiner(surface, max_level);
-    std::vector<LoopLevel> levels(static_cast<std::size_t>(max_level) + 1);
+    std::vector<SurfaceLevel> levels(static_cast<std::size_t>(max_level) + 1);
     std::vector<Position> values(static_cast<std::size_t>(surface.n_vertices)), finer;
     for (std::size_t v = 0; v < values.size(); ++v) {
         for (std::size_t i = 0; i < 3; ++i) values[v].x[i] = surface.positions[3 * v + i];
     }
     const Theirs::PrimvarRefinerReal<double> primvars(*refiner);
     for (int l = 0; l <= max_level; ++l) {
-        LoopLevel& level = levels[l];
+        SurfaceLevel& level = levels[l];
         CopyTopology(refiner->GetLevel(l), l == max_level, level);
         if (l > 0) {
             finer.assign(static_cast<std::size_t>(level.n_vertices), {});

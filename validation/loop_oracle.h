@@ -2,49 +2,14 @@
 // OpenSubdiv's Loop refinement of a triangle surface, as plain arrays. An oracle: it shares no code with the library.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
-#include "cells_oracle.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
 
-/// One level of OpenSubdiv's refinement, and how it goes on: which vertices of the next level its parts become.
-struct LoopLevel {
-    int n_vertices = 0;
-    std::vector<double> positions;  ///< (n_vertices, 3)
-    std::vector<Triangle> triangles;
-    std::vector<std::array<int, 2>> edges;
-
-    std::vector<int> children_of_vertices;  ///< (n_vertices), empty in the last level
-    std::vector<int> children_of_edges;     ///< (n_edges)
-
-    /// Composite rows over the control vertices, in levels 1 to max_row_level: row v in [offsets[v], offsets[v + 1]).
-    std::vector<std::int64_t> row_offsets;
-    std::vector<int> row_indices;
-    std::vector<double> row_weights;
-};
-
-/// What is sharp, and how sharpness goes on.
-struct SurfaceTags {
-    std::vector<std::array<int, 2>> creases{};
-    std::vector<float> crease_sharpness{};
-    std::vector<int> corners{};
-    std::vector<float> corner_sharpness{};
-    bool has_sharp_corners = false;  ///< VTX_BOUNDARY_EDGE_AND_CORNER; otherwise VTX_BOUNDARY_EDGE_ONLY
-    bool is_chaikin = false;         ///< CREASE_CHAIKIN; otherwise CREASE_UNIFORM
-};
-
-struct LoopSurface {
-    int n_vertices = 0;  ///< all of them in some triangle
-    std::vector<Triangle> triangles;
-    std::vector<double> positions;  ///< (n_vertices, 3)
-    SurfaceTags tags{};
-};
-
 /// Levels 0 to max_level, in double precision.
 /// @throws std::runtime_error if OpenSubdiv refuses the surface
-std::vector<LoopLevel> RefineByOpenSubdiv(const LoopSurface& surface, int max_level, int max_row_level);
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int max_level, int max_row_level);
 
 }  // namespace SolidSubdiv::Validation

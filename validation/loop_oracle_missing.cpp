@@ -5,7 +5,7 @@
 
 namespace SolidSubdiv::Validation {
 
-std::vector<LoopLevel> RefineByOpenSubdiv(const LoopSurface&, int, int) {
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface&, int, int) {
     throw Unavailable{"OpenSubdiv was not found when this program was built (Debian: libosd-dev)"};
 }
 

@@ -9,8 +9,8 @@
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/sdc/errors.h>
 
-#include "loop_compare.h"
 #include "solid_shapes.h"
+#include "surface_compare.h"
 #include "surface_shapes.h"
 #include "validators.h"
 
@@ -147,24 +147,15 @@ void CompareCatalogue(const std::filesystem::path& folder, Findings& findings) {
 
 Findings ValidateLoopSurfaces(const Context& context) {
     Findings findings;
-    int n_shapes = 0;
-    for (const SolidShape& solid : ManifoldShapes()) {  // their boundaries are closed surfaces of every kind
-        findings.Merge(CompareSurface(BoundaryTriangles(solid.complex), solid.positions), "boundary of " + solid.name);
-        ++n_shapes;
-    }
-    for (const SurfaceShape& shape : OpenSurfaces()) {
+    const std::vector<SurfaceShape> shapes = AllSurfaces();
+    std::uint32_t seed = 0;
+    for (const SurfaceShape& shape : shapes) {
         findings.Merge(CompareSurface(shape.triangles, shape.positions), shape.name);
-        ++n_shapes;
+        CompareTagged(shape.name, shape.triangles, shape.positions, seed++, findings);
     }
-    int n_tagged = 0;
-    for (const SolidShape& solid : ManifoldShapes()) {
-        CompareTagged("boundary of " + solid.name, BoundaryTriangles(solid.complex), solid.positions,
-                      static_cast<std::uint32_t>(n_tagged++), findings);
-    }
-    for (const SurfaceShape& shape : OpenSurfaces())
-        CompareTagged(shape.name, shape.triangles, shape.positions, static_cast<std::uint32_t>(n_tagged++), findings);
-    findings.notes.push_back(std::to_string(n_shapes) + " surfaces of ours, levels 1-5, and " +
-                             std::to_string(4 * n_tagged) + " with random creases and corners");
+    findings.notes.push_back(std::to_string(shapes.size()) +
+                             " surfaces of ours, levels 1-5, each also with four sets of "
+                             "random creases and corners");
     CompareCatalogue(context.osd_shapes, findings);
     return findings;
 }

@@ -42,4 +42,12 @@ SolidShape ReadSolidShape(const std::filesystem::path& path, std::string feature
     return {path.filename().string(), std::move(feature), ComplexOf(t.tets, t.octs), mesh.positions};
 }
 
+std::vector<SolidShape> SolidsOfEveryKind(const std::filesystem::path& shapes) {
+    std::vector<SolidShape> solids = ManifoldShapes();
+    for (SolidShape& shape : NonManifoldShapes()) solids.push_back(std::move(shape));
+    for (std::uint32_t seed = 0; seed < 20; ++seed) solids.push_back(RandomPiece(seed));
+    solids.push_back(ReadSolidShape(shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
+    return solids;
+}
+
 }  // namespace SolidSubdiv::Validation

@@ -31,4 +31,8 @@ Complex ComplexOf(std::span<const Index> tets, std::span<const Index> octs);
 /// A solid of tets and octahedra from a file. @throws IoError, InvalidInput if it has other cells
 SolidShape ReadSolidShape(const std::filesystem::path& path, std::string feature);
 
+/// Manifold ones, ones that meet themselves, random pieces and a real lattice. @param shapes the project's folder of
+/// them
+std::vector<SolidShape> SolidsOfEveryKind(const std::filesystem::path& shapes);
+
 }  // namespace SolidSubdiv::Validation

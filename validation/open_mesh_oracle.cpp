@@ -18,7 +18,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 };
 using TheirMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-TheirMesh MakeMesh(const LoopSurface& surface) {
+TheirMesh MakeMesh(const ControlSurface& surface) {
     TheirMesh mesh;
     for (std::size_t v = 0; v < surface.positions.size(); v += 3) {
         mesh.add_vertex({surface.positions[v], surface.positions[v + 1], surface.positions[v + 2]});
@@ -34,8 +34,8 @@ TheirMesh MakeMesh(const LoopSurface& surface) {
     return mesh;
 }
 
-LoopLevel CopyLevel(const TheirMesh& mesh) {
-    LoopLevel level;
+SurfaceLevel CopyLevel(const TheirMesh& mesh) {
+    SurfaceLevel level;
     level.n_vertices = static_cast<int>(mesh.n_vertices());
     for (const auto vertex : mesh.vertices()) {
         const auto& point = mesh.point(vertex);
@@ -52,9 +52,9 @@ LoopLevel CopyLevel(const TheirMesh& mesh) {
 
 }  // namespace
 
-std::vector<LoopLevel> RefineByOpenMesh(const LoopSurface& surface, int max_level) {
+std::vector<SurfaceLevel> RefineByOpenMesh(const ControlSurface& surface, int max_level) {
     TheirMesh mesh = MakeMesh(surface);
-    std::vector<LoopLevel> levels = {CopyLevel(mesh)};
+    std::vector<SurfaceLevel> levels = {CopyLevel(mesh)};
     OpenMesh::Subdivider::Uniform::ModifiedButterflyT<TheirMesh, double> subdivider;
     for (int l = 1; l <= max_level; ++l) {
         if (!subdivider.attach(mesh) || !subdivider(1)) throw std::runtime_error("OpenMesh does not subdivide");

@@ -6,12 +6,12 @@
 
 #include <vector>
 
-#include "loop_oracle.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
 
 /// Levels 0 to max_level in double precision, without rows; old vertices keep their numbers.
 /// @throws std::runtime_error if OpenMesh can't hold the surface (it takes oriented manifolds)
-std::vector<LoopLevel> RefineByOpenMesh(const LoopSurface& surface, int max_level);
+std::vector<SurfaceLevel> RefineByOpenMesh(const ControlSurface& surface, int max_level);
 
 }  // namespace SolidSubdiv::Validation

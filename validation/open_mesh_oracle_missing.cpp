@@ -5,7 +5,7 @@
 
 namespace SolidSubdiv::Validation {
 
-std::vector<LoopLevel> RefineByOpenMesh(const LoopSurface&, int) {
+std::vector<SurfaceLevel> RefineByOpenMesh(const ControlSurface&, int) {
     throw Unavailable{"OpenMesh was not found when this program was built (Debian: libopenmesh-dev)"};
 }
 

@@ -11,7 +11,7 @@ namespace SolidSubdiv::Validation {
 
 namespace Theirs = OpenSubdiv::Far;
 
-std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface& surface, int max_level) {
+std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurface& surface, int max_level) {
     const std::vector<int> arities(surface.triangles.size(), 3);
     std::vector<int> corners;
     for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
@@ -46,7 +46,7 @@ std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface
     return refiner;
 }
 
-void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, LoopLevel& to) {
+void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, SurfaceLevel& to) {
     to.n_vertices = from.GetNumVertices();
     for (int f = 0; f < from.GetNumFaces(); ++f) {
         const auto v = from.GetFaceVertices(f);

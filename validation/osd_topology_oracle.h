@@ -7,15 +7,15 @@
 
 #include <memory>
 
-#include "loop_oracle.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
 
 /// Refined to max_level, with all relations in the last level too.
 /// @throws std::runtime_error if OpenSubdiv refuses the surface
-std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> MakeOpenSubdivRefiner(const LoopSurface& surface, int max_level);
+std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurface& surface, int max_level);
 
 /// Copies vertices, triangles, edges and, but for the last level, children.
-void CopyTopology(const OpenSubdiv::Far::TopologyLevel& from, bool is_last, LoopLevel& to);
+void CopyTopology(const OpenSubdiv::Far::TopologyLevel& from, bool is_last, SurfaceLevel& to);
 
 }  // namespace SolidSubdiv::Validation

@@ -19,7 +19,7 @@ using Pair = std::array<int, 2>;
 Pair Sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Edges of a level by their ends; the values are their numbers.
-std::map<Pair, int> NumberOfEdge(const LoopLevel& level) {
+std::map<Pair, int> NumberOfEdge(const SurfaceLevel& level) {
     std::map<Pair, int> numbers;
     for (std::size_t e = 0; e < level.edges.size(); ++e) {
         numbers[Sorted(level.edges[e][0], level.edges[e][1])] = static_cast<int>(e);
@@ -46,7 +46,7 @@ std::vector<int> Identity(int n) {
 }
 
 /// The oracle's vertex of the next level for each of ours. @throws std::runtime_error if an edge is not the oracle's
-std::vector<int> MatchNext(const LoopLevel& ours, const LoopLevel& theirs, const std::vector<int>& match) {
+std::vector<int> MatchNext(const SurfaceLevel& ours, const SurfaceLevel& theirs, const std::vector<int>& match) {
     std::vector<int> next(ours.children_of_vertices.size() + ours.children_of_edges.size(), -1);
     for (std::size_t v = 0; v < match.size(); ++v) {
         next.at(ours.children_of_vertices[v]) = theirs.children_of_vertices[match[v]];
@@ -77,7 +77,7 @@ double SizeOf(const std::vector<double>& positions) {
 
 }  // namespace
 
-void FindChildren(LoopLevel& coarse, const LoopLevel& fine) {
+void FindChildren(SurfaceLevel& coarse, const SurfaceLevel& fine) {
     const int n = coarse.n_vertices;
     std::set<Pair> edges;
     for (const Triangle& t : coarse.triangles) {
@@ -119,7 +119,7 @@ void FindChildren(LoopLevel& coarse, const LoopLevel& fine) {
     }
 }
 
-Findings CompareLevels(const std::vector<LoopLevel>& levels, const std::vector<LoopLevel>& oracle) {
+Findings CompareLevels(const std::vector<SurfaceLevel>& levels, const std::vector<SurfaceLevel>& oracle) {
     Findings findings;
     if (levels.size() != oracle.size() || levels.empty() || levels[0].n_vertices != oracle[0].n_vertices) {
         findings.Fault("other levels than the oracle's");
@@ -129,7 +129,7 @@ Findings CompareLevels(const std::vector<LoopLevel>& levels, const std::vector<L
     std::vector<int> match = Identity(levels[0].n_vertices);
     for (std::size_t l = 0; l < levels.size(); ++l) {
         const std::string level = "level " + std::to_string(l);
-        const LoopLevel &ours = levels[l], &theirs = oracle[l];
+        const SurfaceLevel &ours = levels[l], &theirs = oracle[l];
         if (l > 0) {
             try {
                 match = MatchNext(levels[l - 1], oracle[l - 1], match);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Matching with OpenSubdiv and comparing.
-#include "loop_compare.h"
+#include "surface_compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +70,10 @@ SurfaceOfMesh TakeSurface(const std::vector<Triangle>& triangles, std::span<cons
 }
 
 Match FollowChildren(const Far::TopologyRefiner& refiner, const SurfaceOfMesh& start,
-                     const std::vector<LoopLevel>& oracle, Findings& findings) {
+                     const std::vector<SurfaceLevel>& oracle, Findings& findings) {
     Match match = {start.mesh_vertices};
     for (int l = 0; l + 1 < static_cast<int>(oracle.size()); ++l) {
-        const LoopLevel& theirs = oracle[l];
+        const SurfaceLevel& theirs = oracle[l];
         const Far::Level& ours = refiner.level(l);
         std::vector<Index> next(static_cast<std::size_t>(oracle[l + 1].n_vertices), kNoIndex);
         for (std::size_t v = 0; v < theirs.children_of_vertices.size(); ++v) {
@@ -93,7 +93,7 @@ Match FollowChildren(const Far::TopologyRefiner& refiner, const SurfaceOfMesh& s
     return match;
 }
 
-void CompareTriangles(const Far::TopologyRefiner& refiner, const std::vector<LoopLevel>& oracle, const Match& match,
+void CompareTriangles(const Far::TopologyRefiner& refiner, const std::vector<SurfaceLevel>& oracle, const Match& match,
                       Findings& findings) {
     for (int l = 0; l < static_cast<int>(match.size()); ++l) {
         std::vector<Triangle> theirs, ours;
@@ -119,7 +119,7 @@ void CompareTriangles(const Far::TopologyRefiner& refiner, const std::vector<Loo
 }
 
 void ComparePositions(const Far::StencilTable& cascaded, std::span<const double> positions,
-                      const std::vector<LoopLevel>& oracle, const Match& match, Findings& findings) {
+                      const std::vector<SurfaceLevel>& oracle, const Match& match, Findings& findings) {
     const double size = SizeOf(positions);
     std::vector<double> values(positions.begin(), positions.end()), finer;
     Osd::Evaluator evaluator(cascaded, Osd::Backend::Reference());
@@ -145,8 +145,8 @@ void ComparePositions(const Far::StencilTable& cascaded, std::span<const double>
 }
 
 void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceOfMesh& start,
-                 const std::vector<LoopLevel>& oracle, Findings& findings) {
-    const LoopLevel& theirs = oracle[level];
+                 const std::vector<SurfaceLevel>& oracle, Findings& findings) {
+    const SurfaceLevel& theirs = oracle[level];
     if (rows.n_rows() != theirs.n_vertices) {
         findings.Fault("level " + std::to_string(level) + ": " + std::to_string(rows.n_rows()) + " rows, " +
                        std::to_string(theirs.n_vertices) + " by OpenSubdiv");
@@ -171,7 +171,7 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
 
 Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                            std::span<const double> positions, const SurfaceOfMesh& start,
-                           const std::vector<LoopLevel>& oracle, int max_row_level) {
+                           const std::vector<SurfaceLevel>& oracle, int max_row_level) {
     Findings findings;
     const Match match = FollowChildren(refiner, start, oracle, findings);
     CompareTriangles(refiner, oracle, match, findings);
@@ -185,7 +185,7 @@ Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Schem
 
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const SurfaceTags& tags, const LoopLevels& levels) {
+                         const SurfaceTags& tags, const ComparedLevels& levels) {
     const TaggedMesh tagged(mesh, tags);
     auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
     refiner.RefineUniform({.max_level = levels.positions});

@@ -16,7 +16,7 @@ namespace SolidSubdiv::Validation {
 
 /// A surface of a mesh with vertices of its own: those of the mesh that lie on it.
 struct SurfaceOfMesh {
-    LoopSurface surface;
+    ControlSurface surface;
     std::vector<Index> mesh_vertices;  ///< vertex of the mesh for each of the surface's
 };
 
@@ -36,22 +36,22 @@ using Match = std::vector<std::vector<Index>>;
 
 /// Faults: an edge that the refiner does not have. The match ends at the level before.
 Match FollowChildren(const Far::TopologyRefiner& refiner, const SurfaceOfMesh& start,
-                     const std::vector<LoopLevel>& oracle, Findings& findings);
+                     const std::vector<SurfaceLevel>& oracle, Findings& findings);
 
 /// Whether the boundary of each level has just the oracle's triangles, with their orientation, under the match.
-void CompareTriangles(const Far::TopologyRefiner& refiner, const std::vector<LoopLevel>& oracle, const Match& match,
+void CompareTriangles(const Far::TopologyRefiner& refiner, const std::vector<SurfaceLevel>& oracle, const Match& match,
                       Findings& findings);
 
 /// Positions that a cascaded table gives at levels 1 and up, over the size of the shape.
 /// @param positions (n_control_vertices, 3): control vertices
 void ComparePositions(const Far::StencilTable& cascaded, std::span<const double> positions,
-                      const std::vector<LoopLevel>& oracle, const Match& match, Findings& findings);
+                      const std::vector<SurfaceLevel>& oracle, const Match& match, Findings& findings);
 
 /// Composite rows of one level, row i that of the oracle's vertex i, weight by weight.
 void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceOfMesh& start,
-                 const std::vector<LoopLevel>& oracle, Findings& findings);
+                 const std::vector<SurfaceLevel>& oracle, Findings& findings);
 
-struct LoopLevels {
+struct ComparedLevels {
     int positions = 5;
     int rows = 3;
 };
@@ -59,13 +59,13 @@ struct LoopLevels {
 /// Follows, and compares triangles, positions at all the oracle's levels and composite rows up to max_row_level.
 Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                            std::span<const double> positions, const SurfaceOfMesh& start,
-                           const std::vector<LoopLevel>& oracle, int max_row_level);
+                           const std::vector<SurfaceLevel>& oracle, int max_row_level);
 
 /// All of it for one mesh, under one scheme: refines, makes the tables, compares. The mesh gets the tags as creases and
 /// corners.
 /// @param tags of vertices of the mesh; creases that are edges of the triangles
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const SurfaceTags& tags = {}, const LoopLevels& levels = LoopLevels());
+                         const SurfaceTags& tags = {}, const ComparedLevels& levels = ComparedLevels());
 
 }  // namespace SolidSubdiv::Validation

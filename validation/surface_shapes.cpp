@@ -110,4 +110,11 @@ std::vector<SurfaceShape> OpenSurfaces() {
     return shapes;
 }
 
+std::vector<SurfaceShape> AllSurfaces() {
+    std::vector<SurfaceShape> shapes = OpenSurfaces();
+    for (const SolidShape& solid : ManifoldShapes())
+        shapes.push_back({"boundary of " + solid.name, BoundaryTriangles(solid.complex), solid.positions});
+    return shapes;
+}
+
 }  // namespace SolidSubdiv::Validation

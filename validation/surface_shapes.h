@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "loop_oracle.h"
+#include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
 
@@ -22,5 +22,8 @@ SurfaceTags RandomTags(const std::vector<Triangle>& triangles, std::uint32_t see
 
 /// Manifold ones, then ones that meet themselves in a vertex or an edge.
 std::vector<SurfaceShape> OpenSurfaces();
+
+/// Those, and the boundaries of manifold solids: closed surfaces of every kind.
+std::vector<SurfaceShape> AllSurfaces();
 
 }  // namespace SolidSubdiv::Validation

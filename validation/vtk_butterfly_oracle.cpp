@@ -15,10 +15,10 @@ namespace SolidSubdiv::Validation {
 
 namespace {
 
-void WriteSurfaces(const std::filesystem::path& path, std::span<const LoopSurface> surfaces) {
+void WriteSurfaces(const std::filesystem::path& path, std::span<const ControlSurface> surfaces) {
     std::ofstream file(path);
     file << std::setprecision(std::numeric_limits<double>::max_digits10);
-    for (const LoopSurface& surface : surfaces) {
+    for (const ControlSurface& surface : surfaces) {
         file << surface.n_vertices << ' ' << surface.triangles.size() << '\n';
         for (std::size_t i = 0; i < surface.positions.size(); ++i) {
             file << surface.positions[i] << (i % 3 == 2 ? '\n' : ' ');
@@ -28,8 +28,8 @@ void WriteSurfaces(const std::filesystem::path& path, std::span<const LoopSurfac
     if (!file.flush()) throw std::runtime_error(path.string() + ": can't be written");
 }
 
-LoopLevel ReadLevel(std::istream& input) {
-    LoopLevel level;
+SurfaceLevel ReadLevel(std::istream& input) {
+    SurfaceLevel level;
     std::size_t n_triangles = 0;
     input >> level.n_vertices >> n_triangles;
     if (!input) return level;
@@ -43,7 +43,7 @@ LoopLevel ReadLevel(std::istream& input) {
 }  // namespace
 
 std::vector<VtkRefinement> RefineByVtk(const std::filesystem::path& script, const std::filesystem::path& scratch,
-                                       std::span<const LoopSurface> surfaces, int max_level) {
+                                       std::span<const ControlSurface> surfaces, int max_level) {
     const auto path = scratch / "surfaces.txt";
     WriteSurfaces(path, surfaces);
     std::istringstream output(RunVtkScript(script, {path, std::to_string(max_level)}));
@@ -51,14 +51,14 @@ std::vector<VtkRefinement> RefineByVtk(const std::filesystem::path& script, cons
     for (std::string keyword; output >> keyword;) {
         std::size_t number = 0;
         if (keyword == "surface" && output >> number && number == result.size() && number < surfaces.size()) {
-            const LoopSurface& surface = surfaces[number];
+            const ControlSurface& surface = surfaces[number];
             result.emplace_back().levels.resize(1);
-            LoopLevel& control = result.back().levels[0];
+            SurfaceLevel& control = result.back().levels[0];
             control.n_vertices = surface.n_vertices;
             control.triangles = surface.triangles;
             control.positions = surface.positions;
         } else if (keyword == "level" && !result.empty() && output >> number) {
-            LoopLevel level = ReadLevel(output);
+            SurfaceLevel level = ReadLevel(output);
             VtkRefinement& refinement = result.back();
             if (!refinement.refused.empty()) continue;
             try {

@@ -14,9 +14,10 @@
 
 #include "validation/butterfly_oracle.h"
 #include "validation/cone_surfaces.h"
-#include "validation/loop_compare.h"
+#include "validation/or_skip.h"
 #include "validation/solid_shapes.h"
 #include "validation/split_levels_oracle.h"
+#include "validation/surface_compare.h"
 #include "validation/surface_shapes.h"
 
 namespace SolidSubdiv::Validation {
@@ -31,31 +32,27 @@ const ButterflyRule kRules[] = {ButterflyRule::Plain(), ButterflyRule::Plain(0.0
 class ButterflyOracle : public testing::Test {
   protected:
     void SetUp() override {
-        try {
-            RefineByButterflyOracle({MakeCone(3, true, 1).surface, {}, {}}, ButterflyRule(), 1);
-        } catch (const Unavailable& unavailable) {
-            GTEST_SKIP() << unavailable.reason;
-        }
+        OrSkip([&] { RefineByButterflyOracle(MakeCone(3, true, 1).surface, ButterflyRule(), 1); });
     }
 };
 
 /// Every kind of surface: closed, open, meeting itself in vertices and edges.
 std::vector<SurfaceShape> AllShapes() {
-    std::vector<SurfaceShape> shapes = OpenSurfaces();
-    for (const SolidShape& solid : ManifoldShapes()) {
-        const auto own = TakeSurface(BoundaryTriangles(solid.complex), solid.positions);
-        shapes.push_back({solid.name, own.surface.triangles, own.surface.positions});
+    std::vector<SurfaceShape> shapes = AllSurfaces();
+    for (SurfaceShape& shape : shapes) {
+        const auto own = TakeSurface(shape.triangles, shape.positions);
+        shape = {shape.name, own.surface.triangles, own.surface.positions};
     }
     return shapes;
 }
 
-LoopSurface SurfaceOf(const SurfaceShape& shape) {
+ControlSurface SurfaceOf(const SurfaceShape& shape) {
     return {static_cast<int>(shape.positions.size() / 3), shape.triangles, shape.positions};
 }
 
 /// The row of the new vertex on an edge, by place in a cone.
 std::map<ConePlace, double> RowOfEdge(const Cone& cone, const ButterflyRefinement& refined, ConePlace a, ConePlace b) {
-    const LoopLevel& level = refined.levels[0];
+    const SurfaceLevel& level = refined.levels[0];
     for (std::size_t e = 0; e < level.edges.size(); ++e) {
         const ConePlace &p = cone.places[level.edges[e][0]], &q = cone.places[level.edges[e][1]];
         if (!((p == a && q == b) || (p == b && q == a))) continue;
@@ -81,7 +78,7 @@ void ExpectRow(const std::map<ConePlace, double>& row, const std::map<ConePlace,
 
 TEST_F(ButterflyOracle, RegularEdgesHaveEightAndTenPoints) {
     const Cone cone = MakeCone(6, true, 4);
-    const TaggedSurface surface{cone.surface, {}, {}};
+    const ControlSurface surface = cone.surface;
     const ConePlace apex = {0, 0, 0}, end = {0, 1, 0};
     const double v = 0.05, w = 1.0 / 64;
     const ConePlace wings[] = {{2, 1, 0}, {4, 1, 0}, {0, 1, 1}, {5, 1, 1}}, opposite[] = {{1, 1, 0}, {5, 1, 0}};
@@ -105,8 +102,7 @@ TEST_F(ButterflyOracle, ExtraordinaryVerticesHaveMasksOfTheirOwn) {
     const ConePlace apex = {0, 0, 0}, end = {0, 1, 0};
     const auto row = [&](int n) {
         const Cone cone = MakeCone(n, true, 3);
-        return RowOfEdge(cone, RefineByButterflyOracle({cone.surface, {}, {}}, ButterflyRule::Modified(1.0 / 64), 1),
-                         apex, end);
+        return RowOfEdge(cone, RefineByButterflyOracle(cone.surface, ButterflyRule::Modified(1.0 / 64), 1), apex, end);
     };
     ExpectRow(row(3), {{apex, 3.0 / 4}, {end, 5.0 / 12}, {{1, 1, 0}, -1.0 / 12}, {{2, 1, 0}, -1.0 / 12}});
     ExpectRow(row(4), {{apex, 3.0 / 4}, {end, 3.0 / 8}, {{2, 1, 0}, -1.0 / 8}});
@@ -123,18 +119,18 @@ TEST_F(ButterflyOracle, ExtraordinaryVerticesHaveMasksOfTheirOwn) {
 
 TEST_F(ButterflyOracle, TwoExtraordinaryEndsTakeTheMean) {
     // A double pyramid over a pentagon: apexes of valence 5, vertices 1 to 5 of valence 4.
-    LoopSurface surface{7, {}, std::vector<double>(21)};
+    ControlSurface surface{7, {}, std::vector<double>(21)};
     for (int i = 0; i < 5; ++i) {
         const int a = 1 + i, b = 1 + (i + 1) % 5;
         surface.triangles.push_back({0, a, b});
         surface.triangles.push_back({6, b, a});
     }
-    const auto refined = RefineByButterflyOracle({surface, {}, {}}, ButterflyRule::Modified(), 1);
+    const auto refined = RefineByButterflyOracle(surface, ButterflyRule::Modified(), 1);
     const auto s = [](int i) {
         const double angle = 2 * std::numbers::pi * i / 5;
         return (0.25 + std::cos(angle) + 0.5 * std::cos(2 * angle)) / 5;
     };
-    const LoopLevel& level = refined.levels[0];
+    const SurfaceLevel& level = refined.levels[0];
     const auto edge = std::find_if(level.edges.begin(), level.edges.end(), [](const auto& e) {
         return std::min(e[0], e[1]) == 0 && std::max(e[0], e[1]) == 1;
     });
@@ -153,10 +149,10 @@ TEST_F(ButterflyOracle, TwoExtraordinaryEndsTakeTheMean) {
 TEST_F(ButterflyOracle, InterpolatesAndItsRowsSumToOne) {
     for (const SurfaceShape& shape : AllShapes()) {
         for (const ButterflyRule& rule : kRules) {
-            const auto refined = RefineByButterflyOracle({SurfaceOf(shape), {}, {}}, rule, 2);
+            const auto refined = RefineByButterflyOracle(SurfaceOf(shape), rule, 2);
             for (std::size_t l = 0; l < refined.steps.size(); ++l) {
                 const SparseRows& step = refined.steps[l];
-                const LoopLevel &coarse = refined.levels[l], &fine = refined.levels[l + 1];
+                const SurfaceLevel &coarse = refined.levels[l], &fine = refined.levels[l + 1];
                 for (int r = 0; r < step.n_rows(); ++r) {
                     const auto first = step.weights.begin() + step.offsets[r];
                     const auto last = step.weights.begin() + step.offsets[r + 1];
@@ -181,12 +177,12 @@ TEST_F(ButterflyOracle, ReproducesCubicsInTheRegularLattice) {
                           3 * x * y * y + x * x - y};
     };
     const auto largest_error = [&](const ButterflyRule& rule) {
-        LoopSurface surface = cone.surface;
+        ControlSurface surface = cone.surface;
         for (std::size_t v = 0; v < surface.positions.size(); v += 3) {
             const auto f = cubics(surface.positions[v], surface.positions[v + 1]);
             std::copy(f.begin(), f.end(), surface.positions.begin() + static_cast<std::ptrdiff_t>(v));
         }
-        const auto refined = RefineByButterflyOracle({surface, {}, {}}, rule, 1);
+        const auto refined = RefineByButterflyOracle(surface, rule, 1);
         double error = 0;
         for (std::size_t e = 0; e < refined.levels[0].edges.size(); ++e) {
             const auto [a, b] = refined.levels[0].edges[e];
@@ -209,9 +205,9 @@ TEST_F(ButterflyOracle, ReproducesCubicsInTheRegularLattice) {
 
 TEST_F(ButterflyOracle, CompositeRowsGiveThePositions) {
     for (const SurfaceShape& shape : AllShapes()) {
-        const auto refined = RefineByButterflyOracle({SurfaceOf(shape), {}, {}}, ButterflyRule::Modified(), 3, 3);
+        const auto refined = RefineByButterflyOracle(SurfaceOf(shape), ButterflyRule::Modified(), 3, 3);
         for (std::size_t l = 1; l < refined.levels.size(); ++l) {
-            const LoopLevel& level = refined.levels[l];
+            const SurfaceLevel& level = refined.levels[l];
             ASSERT_EQ(level.row_offsets.size(), static_cast<std::size_t>(level.n_vertices) + 1);
             const auto positions = Apply({level.row_offsets, level.row_indices, level.row_weights}, shape.positions);
             for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -223,29 +219,33 @@ TEST_F(ButterflyOracle, CompositeRowsGiveThePositions) {
 
 TEST_F(ButterflyOracle, IsIndependentOfTheNumbering) {
     for (const SurfaceShape& shape : AllShapes()) {
-        LoopSurface surface = SurfaceOf(shape);
-        const auto first = RefineByButterflyOracle({surface, {}, {}}, ButterflyRule::Modified(), 2);
+        ControlSurface surface = SurfaceOf(shape);
+        const auto first = RefineByButterflyOracle(surface, ButterflyRule::Modified(), 2);
         // Triangles come in another order and begin at another vertex; vertices keep their numbers, which match levels.
         std::mt19937 engine(7);
         for (std::size_t t = surface.triangles.size(); t-- > 1;) {
             std::swap(surface.triangles[t], surface.triangles[engine() % (t + 1)]);
         }
         for (Triangle& t : surface.triangles) std::rotate(t.begin(), t.begin() + engine() % 3, t.end());
-        const auto second = RefineByButterflyOracle({surface, {}, {}}, ButterflyRule::Modified(), 2);
+        const auto second = RefineByButterflyOracle(surface, ButterflyRule::Modified(), 2);
         const Findings findings = CompareLevels(second.levels, first.levels);
         EXPECT_TRUE(findings.Passes(kRoundOff)) << shape.name << " " << findings.where << findings.largest_error;
     }
 }
 
 TEST_F(ButterflyOracle, RefusesTagsOnWhatIsNotThere) {
-    const LoopSurface cone = MakeCone(3, true, 2).surface;
-    EXPECT_THROW(RefineByButterflyOracle({cone, {{0, 9}}, {}}, ButterflyRule(), 1), std::runtime_error);
-    EXPECT_THROW(RefineByButterflyOracle({cone, {}, {cone.n_vertices}}, ButterflyRule(), 1), std::runtime_error);
+    const ControlSurface cone = MakeCone(3, true, 2).surface;
+    EXPECT_THROW(RefineByButterflyOracle(WithCreases(cone, {{0, 9}}), ButterflyRule(), 1), std::runtime_error);
+    ControlSurface faded = WithCreases(cone, {{0, 1}});
+    faded.tags.crease_sharpness[0] = 2;
+    EXPECT_THROW(RefineByButterflyOracle(faded, ButterflyRule(), 1), std::runtime_error);
+    EXPECT_THROW(RefineByButterflyOracle(WithCreases(cone, {}, {cone.n_vertices}), ButterflyRule(), 1),
+                 std::runtime_error);
 }
 
 TEST_F(ButterflyOracle, ComparisonOfLevelsCatchesFaults) {
-    const LoopSurface cone = MakeCone(5, true, 2).surface;
-    const auto oracle = RefineByButterflyOracle({cone, {}, {}}, ButterflyRule::Modified(), 2).levels;
+    const ControlSurface cone = MakeCone(5, true, 2).surface;
+    const auto oracle = RefineByButterflyOracle(cone, ButterflyRule::Modified(), 2).levels;
     EXPECT_TRUE(CompareLevels(oracle, oracle).Passes(0));
 
     auto moved = oracle;
@@ -264,8 +264,8 @@ TEST_F(ButterflyOracle, ComparisonOfLevelsCatchesFaults) {
 
 TEST_F(ButterflyOracle, ChildrenAreFoundFromTrianglesAndOddSplitsRefused) {
     // A tetrahedron split by hand: new vertices 4 to 9 on 01, 02, 03, 12, 13, 23.
-    LoopLevel coarse{4, {}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}, {}, {}, {}, {}, {}};
-    LoopLevel fine{10, {}, {}, {}, {}, {}, {}, {}, {}};
+    SurfaceLevel coarse{4, {}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}, {}, {}, {}, {}, {}};
+    SurfaceLevel fine{10, {}, {}, {}, {}, {}, {}, {}, {}};
     const std::map<std::array<int, 2>, int> child = {{{0, 1}, 4}, {{0, 2}, 5}, {{0, 3}, 6},
                                                      {{1, 2}, 7}, {{1, 3}, 8}, {{2, 3}, 9}};
     const auto on = [&](int a, int b) { return child.at({std::min(a, b), std::max(a, b)}); };
@@ -281,11 +281,11 @@ TEST_F(ButterflyOracle, ChildrenAreFoundFromTrianglesAndOddSplitsRefused) {
     }
     EXPECT_THAT(coarse.children_of_vertices, testing::ElementsAre(0, 1, 2, 3));
 
-    LoopLevel turned = fine, missing = fine, joined = fine;
+    SurfaceLevel turned = fine, missing = fine, joined = fine;
     std::swap(turned.triangles[5][0], turned.triangles[5][1]);
     missing.triangles.pop_back();
     for (Triangle& t : joined.triangles) std::replace(t.begin(), t.end(), 9, 8);
-    for (const LoopLevel* odd : {&turned, &missing, &joined}) {
+    for (const SurfaceLevel* odd : {&turned, &missing, &joined}) {
         EXPECT_THROW(FindChildren(coarse, *odd), std::runtime_error);
     }
 }

@@ -9,10 +9,11 @@
 #include <set>
 
 #include "validation/butterfly_oracle.h"
-#include "validation/loop_compare.h"
 #include "validation/open_mesh_oracle.h"
+#include "validation/or_skip.h"
 #include "validation/solid_shapes.h"
 #include "validation/split_levels_oracle.h"
+#include "validation/surface_compare.h"
 #include "validation/surface_shapes.h"
 #include "validation/vtk_butterfly_oracle.h"
 
@@ -26,7 +27,7 @@ constexpr int kLevels = 3;
 
 struct NamedSurface {
     std::string name;
-    LoopSurface surface;
+    ControlSurface surface;
 };
 
 std::vector<NamedSurface> ClosedSurfaces() {
@@ -37,11 +38,11 @@ std::vector<NamedSurface> ClosedSurfaces() {
     return surfaces;
 }
 
-std::vector<LoopLevel> ByOracle(const LoopSurface& surface, double tension = 0) {
-    return RefineByButterflyOracle({surface, {}, {}}, ButterflyRule::Modified(tension), kLevels).levels;
+std::vector<SurfaceLevel> ByOracle(const ControlSurface& surface, double tension = 0) {
+    return RefineByButterflyOracle(surface, ButterflyRule::Modified(tension), kLevels).levels;
 }
 
-std::vector<VtkRefinement> ByVtk(const std::vector<LoopSurface>& surfaces, int max_level = kLevels) {
+std::vector<VtkRefinement> ByVtk(const std::vector<ControlSurface>& surfaces, int max_level = kLevels) {
     const auto scratch =
         std::filesystem::path(testing::TempDir()) / ("solidsubdiv_butterfly_programs_" + std::to_string(getpid()));
     std::filesystem::create_directories(scratch);
@@ -64,21 +65,19 @@ TEST(ButterflyPrograms, ClosedSurfacesHaveEveryValence) {
 }
 
 TEST(ButterflyPrograms, OpenMeshAgreesOnClosedSurfaces) {
-    try {
+    OrSkip([&] {
         for (const NamedSurface& shape : ClosedSurfaces()) {
             const Findings found = CompareLevels(RefineByOpenMesh(shape.surface, kLevels), ByOracle(shape.surface));
             EXPECT_TRUE(found.Passes(kTolerance)) << shape.name << ": " << found.largest_error << " " << found.where;
         }
-    } catch (const Unavailable& unavailable) {
-        GTEST_SKIP() << unavailable.reason;
-    }
+    });
 }
 
 TEST(ButterflyPrograms, VtkAgreesOnClosedSurfaces) {
     const std::vector<NamedSurface> shapes = ClosedSurfaces();
-    std::vector<LoopSurface> surfaces;
+    std::vector<ControlSurface> surfaces;
     for (const NamedSurface& shape : shapes) surfaces.push_back(shape.surface);
-    try {
+    OrSkip([&] {
         const auto by_vtk = ByVtk(surfaces);
         for (std::size_t s = 0; s < shapes.size(); ++s) {
             EXPECT_EQ(by_vtk[s].refused, "") << shapes[s].name;
@@ -86,17 +85,15 @@ TEST(ButterflyPrograms, VtkAgreesOnClosedSurfaces) {
             EXPECT_TRUE(found.Passes(kTolerance))
                 << shapes[s].name << ": " << found.largest_error << " " << found.where;
         }
-    } catch (const Unavailable& unavailable) {
-        GTEST_SKIP() << unavailable.reason;
-    }
+    });
 }
 
 TEST(ButterflyPrograms, EachWeightOffByAMillionthIsCaught) {
     // Valences 4, 5 and, at level 1, 6: every kind of row. A weight that only moves points along themselves is seen
     // too, as positions are shaken and nowhere 0.
-    const LoopSurface surface = TakeSurface(BoundaryTriangles(Spindle(5).complex), Spindle(5).positions).surface;
-    try {
-        const auto refined = RefineByButterflyOracle({surface, {}, {}}, ButterflyRule::Modified(), 2);
+    const ControlSurface surface = TakeSurface(BoundaryTriangles(Spindle(5).complex), Spindle(5).positions).surface;
+    OrSkip([&] {
+        const auto refined = RefineByButterflyOracle(surface, ButterflyRule::Modified(), 2);
         const auto by_open_mesh = RefineByOpenMesh(surface, 2);
         const auto by_vtk = ByVtk({surface}, 2)[0].levels;
         for (std::size_t l = 0; l < 2; ++l) {
@@ -109,21 +106,17 @@ TEST(ButterflyPrograms, EachWeightOffByAMillionthIsCaught) {
                 EXPECT_FALSE(CompareLevels(by_vtk, levels).Passes(kTolerance)) << l << " " << k;
             }
         }
-    } catch (const Unavailable& unavailable) {
-        GTEST_SKIP() << unavailable.reason;
-    }
+    });
 }
 
 TEST(ButterflyPrograms, FarPointsAreCaught) {
     // Neither program has the 10-point rule's w: one of a millionth shows where both ends are regular.
-    const LoopSurface surface = TakeSurface(BoundaryTriangles(Spindle(6).complex), Spindle(6).positions).surface;
-    try {
+    const ControlSurface surface = TakeSurface(BoundaryTriangles(Spindle(6).complex), Spindle(6).positions).surface;
+    OrSkip([&] {
         const Findings found = CompareLevels(RefineByOpenMesh(surface, kLevels), ByOracle(surface, 1e-6));
         EXPECT_FALSE(found.Passes(kTolerance));
         EXPECT_LT(found.largest_error, 1e-5);
-    } catch (const Unavailable& unavailable) {
-        GTEST_SKIP() << unavailable.reason;
-    }
+    });
 }
 
 TEST(ButterflyPrograms, OpenMeshRefusesWhatIsNoManifold) {
@@ -141,16 +134,14 @@ TEST(ButterflyPrograms, OpenMeshRefusesWhatIsNoManifold) {
 
 TEST(ButterflyPrograms, VtkRefusesWhatIsNoManifoldAndGoesOn) {
     const SurfaceShape book = OpenSurfaces().back();
-    const LoopSurface closed = TakeSurface(BoundaryTriangles(Spindle(3).complex), Spindle(3).positions).surface;
-    try {
+    const ControlSurface closed = TakeSurface(BoundaryTriangles(Spindle(3).complex), Spindle(3).positions).surface;
+    OrSkip([&] {
         const auto by_vtk = ByVtk({{5, book.triangles, book.positions}, closed});
         EXPECT_THAT(by_vtk[0].refused, testing::HasSubstr("non-manifold"));
         EXPECT_EQ(by_vtk[0].levels.size(), 1U);
         EXPECT_EQ(by_vtk[1].refused, "");
         EXPECT_EQ(by_vtk[1].levels.size(), 1U + kLevels);
-    } catch (const Unavailable& unavailable) {
-        GTEST_SKIP() << unavailable.reason;
-    }
+    });
 }
 
 }  // namespace

@@ -179,13 +179,13 @@ class Splitter {
         const auto v = parent_.BoundaryVertices(b);  // outward
         const Index f = parent_.boundary_faces[b];
         const auto e = parent_.FaceEdges(f);
-        std::array<Index, 3> rank, mid;  // of v[k] in ascending order; the point on the edge opposite v[k]
-        for (int k = 0; k < 3; ++k) {
-            rank[k] = (v[k] > v[(k + 1) % 3]) + (v[k] > v[(k + 2) % 3]);
-            mid[k] = EdgePoint(e[rank[k]]);
-        }
-        const auto set = [&](Index r, Index p, Index q, Index s) {
-            Index* const corners = child_.boundary_vertices.data() + 3 * (4 * static_cast<std::size_t>(b) + r);
+        const std::size_t over1 = v[0] > v[1], over2 = v[1] > v[2], over0 = v[2] > v[0];
+        // Of v[k]: its place in ascending order. Of the edge opposite v[k]: the point on it.
+        const std::array<std::size_t, 3> rank{over1 + 1 - over0, over2 + 1 - over1, over0 + 1 - over2};
+        const std::array<Index, 3> mid{EdgePoint(e[rank[0]]), EdgePoint(e[rank[1]]), EdgePoint(e[rank[2]])};
+        Index* const children = child_.boundary_vertices.data() + 12 * static_cast<std::size_t>(b);
+        const auto set = [&](std::size_t r, Index p, Index q, Index s) {
+            Index* const corners = children + 3 * r;
             corners[0] = p;
             corners[1] = q;
             corners[2] = s;

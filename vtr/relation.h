@@ -21,7 +21,8 @@ struct Relation {
     Offset Start(Index i) const { return empty() ? 0 : offsets[i]; }
     int Count(Index i) const { return empty() ? 0 : static_cast<int>(offsets[i + 1] - offsets[i]); }
     std::span<const Index> operator[](Index i) const {
-        return {items.data() + Start(i), static_cast<std::size_t>(Count(i))};
+        if (empty()) return {};
+        return {items.data() + offsets[i], static_cast<std::size_t>(offsets[i + 1] - offsets[i])};
     }
     std::span<const Sdc::Local> Locals(Index i) const {
         return {locals.data() + Start(i), static_cast<std::size_t>(Count(i))};

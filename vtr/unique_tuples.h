@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/sdc/types.h>
-#include <solidsubdiv/vtr/relation.h>
+#include <solidsubdiv/vtr/grouping.h>
 
 namespace SolidSubdiv::Vtr {
 
@@ -23,52 +24,56 @@ struct UniqueTuples {
     UniqueTuples(Index n_vertices, Offset n_items, TupleOf&& tuple_of) {
         constexpr Offset kGrain = 4096;
         Array<std::array<Index, N>> keys(n_items);
-        Array<Index> lowest(n_items);
         Sdc::ParallelFor(n_items, kGrain, [&](Offset begin, Offset end) {
             for (Offset i = begin; i < end; ++i) {
                 keys[i] = tuple_of(i);
                 std::sort(keys[i].begin(), keys[i].end());
-                lowest[i] = keys[i][0];
             }
         });
 
-        Relation rows = Invert(lowest, 1, n_vertices, false);
-        // Within a row the lowest vertices are the same.
-        const auto less = [&](Index i, Index j) {
-            for (std::size_t k = 1; k < N; ++k) {
-                if (keys[i][k] != keys[j][k]) return keys[i][k] < keys[j][k];
-            }
-            return i < j;
+        // Within a row the lowest vertices are the same: the others and the item are kept side by side and sorted.
+        using Entry = std::array<Index, N>;
+        const auto visit = [&](auto&& add) {
+            for (Offset i = 0; i < n_items; ++i) add(keys[i][0], i);
         };
-        const auto differ = [&](Index i, Index j) {
+        Array<Offset> offsets = CountRows(n_vertices, visit);
+        Array<Entry> entries(n_items);
+        FillRows(offsets, visit, [&](Offset place, Offset i) {
+            std::copy(keys[i].begin() + 1, keys[i].end(), entries[place].begin());
+            entries[place][N - 1] = static_cast<Index>(i);
+        });
+        const auto row = [&](Offset v) {
+            return std::span(entries.data() + offsets[v], static_cast<std::size_t>(offsets[v + 1] - offsets[v]));
+        };
+        const auto is_new = [](std::span<const Entry> entries_of_row, std::size_t k) {
+            if (k == 0) return true;
+            const Entry &mine = entries_of_row[k], &last = entries_of_row[k - 1];
             bool same = true;
-            for (std::size_t k = 1; k < N; ++k) same &= keys[i][k] == keys[j][k];
+            for (std::size_t c = 0; c + 1 < N; ++c) same &= mine[c] == last[c];
             return !same;
         };
         Array<Offset> first(static_cast<std::size_t>(n_vertices) + 1);
         Sdc::ParallelFor(n_vertices, kGrain / 16, [&](Offset begin, Offset end) {
             for (Offset v = begin; v < end; ++v) {
-                Index* row = rows.items.data() + rows.Start(static_cast<Index>(v));
-                const int n = rows.Count(static_cast<Index>(v));
-                std::sort(row, row + n, less);
-                Offset distinct = 0;
-                for (int k = 0; k < n; ++k) distinct += k == 0 || differ(row[k], row[k - 1]);
-                first[v] = distinct;
+                const auto mine = row(v);
+                std::sort(mine.begin(), mine.end());
+                first[v] = 0;
+                for (std::size_t k = 0; k < mine.size(); ++k) first[v] += is_new(mine, k);
             }
         });
         tuples.resize(N * static_cast<std::size_t>(Sdc::ScanLengths(first)));
         ids.resize(n_items);
         Sdc::ParallelFor(n_vertices, kGrain / 16, [&](Offset begin, Offset end) {
             for (Offset v = begin; v < end; ++v) {
-                const auto row = rows[static_cast<Index>(v)];
+                const auto mine = row(v);
                 Index id = static_cast<Index>(first[v]) - 1;
-                for (std::size_t k = 0; k < row.size(); ++k) {
-                    if (k == 0 || differ(row[k], row[k - 1])) {
-                        ++id;
-                        std::copy(keys[row[k]].begin(), keys[row[k]].end(),
-                                  tuples.begin() + N * static_cast<std::ptrdiff_t>(id));
+                for (std::size_t k = 0; k < mine.size(); ++k) {
+                    if (is_new(mine, k)) {
+                        Index* const tuple = tuples.data() + N * static_cast<std::size_t>(++id);
+                        tuple[0] = static_cast<Index>(v);
+                        std::copy(mine[k].begin(), mine[k].end() - 1, tuple + 1);
                     }
-                    ids[row[k]] = id;
+                    ids[mine[k][N - 1]] = id;
                 }
             }
         });

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include <solidsubdiv/sdc/parallel.h>
+#include <solidsubdiv/vtr/short_map.h>
 
 namespace SolidSubdiv::Vtr::Internal {
 
 namespace {
 
 constexpr Offset kGrain = 1024;
-
-/// Cells around one vertex or edge: tets count from 0, octs follow them.
-struct CellRings {
-    Relation vertex_tets;
-    Relation edge_tets;
-};
 
 /// Disjoint sets of small numbers.
 class Sets {
@@ -47,8 +42,7 @@ class Sets {
     std::size_t n_sets_ = 0;
 };
 
-Tag TagOfEdge(const Level& level, const CellRings& rings, Index e) {
-    const int n_cells = rings.edge_tets.Count(e) + level.edge_octs.Count(e);
+Tag TagOfEdge(const Level& level, Index e) {
     int boundary = 0, sheets = 0, inner = 0;
     for (Index f : level.edge_faces[e]) {
         const int n = level.face_tags[f].n_cells();
@@ -56,6 +50,7 @@ Tag TagOfEdge(const Level& level, const CellRings& rings, Index e) {
         sheets += n == 0;
         inner += n == 2;
     }
+    const int n_cells = (2 * inner + boundary) / 2;  // each has two faces at the edge
     int flags = 0;
     if (n_cells > 0) flags |= Tag::kInCell;
     if (boundary + sheets + inner > 0) flags |= Tag::kInFace;
@@ -76,19 +71,20 @@ Tag TagOfEdge(const Level& level, const CellRings& rings, Index e) {
 
 class VertexTagger {
   public:
-    VertexTagger(const Level& level, const CellRings& rings) : level_(level), rings_(rings) {}
+    VertexTagger(const Level& level, const Relation& vertex_tets) : level_(level), vertex_tets_(vertex_tets) {}
 
     Tag TagOf(Index v) {
-        bool in_cell = false, in_face = false, all_edges_in_dimension = true, sheets = false;
         const auto edges = level_.vertex_edges[v];
+        int some = 0, all = Tag::kInCell | Tag::kInFace;  // what some edge has, what all edges have
         for (Index e : edges) {
-            in_cell |= level_.edge_tags[e].in_cell();
-            in_face |= level_.edge_tags[e].in_face();
+            some |= level_.edge_tags[e].bits;
+            all &= level_.edge_tags[e].bits;
         }
-        for (Index e : edges) {
-            const Tag tag = level_.edge_tags[e];
-            all_edges_in_dimension &= in_cell ? tag.in_cell() : in_face ? tag.in_face() : true;
-            for (Index f : level_.edge_faces[e]) sheets |= level_.face_tags[f].n_cells() == 0;
+        const bool in_cell = some & Tag::kInCell, in_face = some & Tag::kInFace;
+        const bool all_edges_in_dimension = in_cell ? all & Tag::kInCell : in_face ? all & Tag::kInFace : true;
+        bool sheets = false;
+        for (std::size_t i = 0; in_cell && i < edges.size(); ++i) {
+            for (Index f : level_.edge_faces[edges[i]]) sheets |= level_.face_tags[f].n_cells() == 0;
         }
         int flags = (in_cell ? Tag::kInCell : 0) | (in_face ? Tag::kInFace : 0);
         if (in_cell && CountCells(v) == 1) flags |= Tag::kOneCell;
@@ -113,7 +109,7 @@ class VertexTagger {
     }
 
   private:
-    std::size_t CountCells(Index v) const { return rings_.vertex_tets[v].size() + level_.vertex_octs[v].size(); }
+    std::size_t CountCells(Index v) const { return vertex_tets_[v].size() + level_.vertex_octs[v].size(); }
 
     /// Two creases of the governing dimension make a crease, any other number a corner.
     Rule RuleOfCreases(Index v, bool in_cell, bool in_face) const {
@@ -127,28 +123,27 @@ class VertexTagger {
 
     /// The cells at v cut its link into triangles and quads; manifold means that this is a sphere (inside) or a disc.
     bool SolidIsManifold(Index v, bool& inside) {
-        const auto tets = rings_.vertex_tets[v];
+        const auto tets = vertex_tets_[v];
         const auto octs = level_.vertex_octs[v];
         int link_vertices = 0, link_edges = 0, border = 0;
-        faces_.clear();
+        const std::size_t n_cells = tets.size() + octs.size();
+        sets_.Reset(n_cells);
+        cell_of_face_.Start(4 * n_cells);  // as many faces of an octahedron meet in a vertex
         const auto add_faces = [&](std::size_t cell, std::span<const Index> faces) {
             for (Index f : faces) {
                 const auto fv = level_.FaceVertices(f);
-                if (fv[0] == v || fv[1] == v || fv[2] == v) faces_.push_back({f, cell});
+                if (fv[0] != v && fv[1] != v && fv[2] != v) continue;
+                const std::size_t other = static_cast<std::size_t>(cell_of_face_.Note(f, static_cast<Index>(cell)));
+                if (other != cell) {
+                    sets_.Join(other, cell);
+                    continue;
+                }
+                ++link_edges;
+                border += level_.face_tags[f].n_cells() == 1;
             }
         };
         for (std::size_t i = 0; i < tets.size(); ++i) add_faces(i, level_.TetFaces(tets[i]));
         for (std::size_t i = 0; i < octs.size(); ++i) add_faces(tets.size() + i, level_.OctFaces(octs[i]));
-        std::sort(faces_.begin(), faces_.end());
-        sets_.Reset(tets.size() + octs.size());
-        for (std::size_t i = 0; i < faces_.size(); ++i) {
-            if (i > 0 && faces_[i].face == faces_[i - 1].face) {
-                sets_.Join(faces_[i].cell, faces_[i - 1].cell);
-            } else {
-                ++link_edges;
-                border += level_.face_tags[faces_[i].face].n_cells() == 1;
-            }
-        }
         for (Index e : level_.vertex_edges[v]) {
             const Tag tag = level_.edge_tags[e];
             if (!tag.in_cell()) continue;
@@ -158,60 +153,59 @@ class VertexTagger {
             if (boundary != 0 && boundary != 2) return false;
         }
         inside = border == 0;
-        const int euler = link_vertices - link_edges + static_cast<int>(tets.size() + octs.size());
+        const int euler = link_vertices - link_edges + static_cast<int>(n_cells);
         return sets_.n_sets() == 1 && euler == (inside ? 2 : 1);
     }
 
     /// Faces at v in no cell: the number of border edges if they form one fan (0 or 2), otherwise -1.
-    int SurfaceBorders(Index v) {
-        int borders = 0;
-        faces_.clear();
+    int SurfaceBorders(Index v) const {
+        int borders = 0, n_edges = 0;
+        Index start = kNoIndex;
         for (Index e : level_.vertex_edges[v]) {
+            const int n = level_.edge_faces.Count(e);
+            if (n > 2) return -1;
+            borders += n == 1;
+            n_edges += n > 0;
+            if (n == 1 || (n == 2 && start == kNoIndex)) start = e;
+        }
+        if (borders != 0 && borders != 2) return -1;
+        // Around v from face to face: a fan comes to its other border, or back, after all edges.
+        int n_met = 0;
+        Index e = start, f = kNoIndex;
+        do {
+            ++n_met;
             const auto faces = level_.edge_faces[e];
-            if (faces.size() > 2) return -1;
-            borders += faces.size() == 1;
-            for (Index f : faces) faces_.push_back({f, static_cast<std::size_t>(e)});
-        }
-        // Each face at v meets two of its edges; join faces through edges by joining edges through faces.
-        std::sort(faces_.begin(), faces_.end());
-        std::vector<std::size_t> edges;
-        for (const Side& s : faces_) edges.push_back(s.cell);
-        std::sort(edges.begin(), edges.end());
-        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-        sets_.Reset(edges.size());
-        const auto place = [&](std::size_t e) {
-            return static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), e) - edges.begin());
-        };
-        for (std::size_t i = 1; i < faces_.size(); ++i) {
-            if (faces_[i].face == faces_[i - 1].face) sets_.Join(place(faces_[i].cell), place(faces_[i - 1].cell));
-        }
-        return sets_.n_sets() == 1 && borders <= 2 ? borders : -1;
+            if (faces.size() == 1 && n_met > 1) break;
+            f = faces[0] != f ? faces[0] : faces[1];
+            e = OtherEdgeAt(v, f, e);
+        } while (e != start);
+        return n_met == n_edges ? borders : -1;
+    }
+    /// The edge of f at v that is not e.
+    Index OtherEdgeAt(Index v, Index f, Index e) const {
+        const auto vertices = level_.FaceVertices(f);
+        const auto edges = level_.FaceEdges(f);
+        const Index opposite = edges[vertices[0] == v ? 0 : vertices[1] == v ? 1 : 2];
+        return edges[0] + edges[1] + edges[2] - opposite - e;
     }
 
-    struct Side {
-        Index face;
-        std::size_t cell;
-        bool operator<(const Side& other) const { return face != other.face ? face < other.face : cell < other.cell; }
-    };
-
     const Level& level_;
-    const CellRings& rings_;
-    std::vector<Side> faces_;
+    const Relation& vertex_tets_;
+    ShortMap cell_of_face_;
     Sets sets_;
 };
 
 }  // namespace
 
 void TagEdgesAndVertices(Level& level) {
-    const CellRings rings{Invert(level.tet_vertices, 4, level.n_vertices, false),
-                          Invert(level.tet_edges, 6, level.n_edges, false)};
+    const Relation vertex_tets = Invert(level.tet_vertices, 4, level.n_vertices, false);
     level.edge_tags.resize(level.n_edges);
     level.vertex_tags.resize(level.n_vertices);
     Sdc::ParallelFor(level.n_edges, kGrain, [&](Offset begin, Offset end) {
-        for (Offset e = begin; e < end; ++e) level.edge_tags[e] = TagOfEdge(level, rings, static_cast<Index>(e));
+        for (Offset e = begin; e < end; ++e) level.edge_tags[e] = TagOfEdge(level, static_cast<Index>(e));
     });
     Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
-        VertexTagger tagger(level, rings);
+        VertexTagger tagger(level, vertex_tets);
         for (Offset v = begin; v < end; ++v) level.vertex_tags[v] = tagger.TagOf(static_cast<Index>(v));
     });
 }

@@ -20,11 +20,17 @@ void* AllocateLarge(std::size_t bytes) {
     }
 #if defined(__linux__)
     // Wishes: without them all works as well, slower. What fills no huge page is asked for in one call, since a fault
-    // for each small page costs more than what is written to it.
+    // for each small page costs more than what is written to it; not where the last page, and so probably all, is
+    // there.
     if (in_huge_pages > 0) madvise(memory, in_huge_pages, MADV_HUGEPAGE);
 #if defined(MADV_POPULATE_WRITE)
     if (rounded > in_huge_pages) {
-        madvise(static_cast<char*>(memory) + in_huge_pages, rounded - in_huge_pages, MADV_POPULATE_WRITE);
+        char* const start = static_cast<char*>(memory);
+        unsigned char is_there = 0;
+        const bool is_known = mincore(start + rounded - kPage, kPage, &is_there) == 0;
+        if (!is_known || (is_there & 1) == 0) {
+            madvise(start + in_huge_pages, rounded - in_huge_pages, MADV_POPULATE_WRITE);
+        }
     }
 #endif
 #endif

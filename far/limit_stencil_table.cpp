@@ -32,9 +32,9 @@ template <class Scheme>
 MaskRow LimitOf(const Level& level, const Scheme& scheme, const Internal::Rows<Scheme>& rows, Index v) {
     if (rows.IsFading(v)) return {};
     MaskRow mask;
-    mask.indices.resize(rows.MaxLength(rows.ChildOfVertex(v)));
+    mask.indices.resize(rows.MaxVertexLength(v));
     mask.weights.resize(mask.indices.size());
-    const std::size_t length = rows.Fill(rows.ChildOfVertex(v), mask.indices.data(), mask.weights.data());
+    const std::size_t length = static_cast<std::size_t>(rows.FillVertex(v, mask.indices.data(), mask.weights.data()));
     mask.indices.resize(length);
     mask.weights.resize(length);
     const int n = static_cast<int>(mask.indices.size()) - 1;

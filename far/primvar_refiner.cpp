@@ -31,29 +31,34 @@ Array<Real> PadToFour(const Real* source, Index n) {
     return padded;
 }
 
-/// Vectors are the compilers' own (GCC, clang): left to themselves they handle two of three values at once.
-template <class Real>
-struct VectorOfFour {
-    typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
-};
-
-/// Sums the values of a row of n entries, of which three are wanted.
+/// Sums rows of values of which three are wanted.
+///
+/// Vectors are the compilers' own (GCC, clang): left to themselves they handle two of three values at once. They are of
+/// 16 bytes, which every processor has: longer ones go through memory where there are none.
 template <class Real>
 class SumThree {
   public:
     explicit SumThree(const Array<Real>& padded) : padded_(padded.data()) {}
-    void operator()(const Index* indices, const Real* weights, int n, Real* destination) const {
-        using Vector = typename VectorOfFour<Real>::Type;
-        Vector sum{};
-        for (int k = 0; k < n; ++k) {
-            Vector values;
-            std::memcpy(&values, padded_ + 4 * static_cast<Offset>(indices[k]), sizeof values);
-            sum += weights[k] * values;
-        }
-        for (int c = 0; c < 3; ++c) destination[c] = sum[c];
+    /// Sums the entries that visit(add) adds, unless it returns false.
+    template <class Visit>
+    bool operator()(Real* destination, Visit&& visit) const {
+        Vector sums[kVectors] = {};
+        const auto add = [&](Index i, Real weight) {
+            const Real* const from = padded_ + 4 * static_cast<Offset>(i);
+            for (int k = 0; k < kVectors; ++k) {
+                Vector values;
+                std::memcpy(&values, from + k * kLanes, sizeof values);
+                sums[k] += weight * values;
+            }
+        };
+        if (!visit(add)) return false;
+        for (int c = 0; c < 3; ++c) destination[c] = sums[c / kLanes][c % kLanes];
+        return true;
     }
 
   private:
+    static constexpr int kBytes = 16, kLanes = kBytes / sizeof(Real), kVectors = 4 / kLanes;
+    typedef Real Vector __attribute__((vector_size(kBytes)));
     const Real* padded_;
 };
 
@@ -62,13 +67,16 @@ template <class Real>
 class Sum {
   public:
     Sum(const Real* source, int width) : source_(source), sum_(static_cast<std::size_t>(width)) {}
-    void operator()(const Index* indices, const Real* weights, int n, Real* destination) {
+    template <class Visit>
+    bool operator()(Real* destination, Visit&& visit) {
         std::fill(sum_.begin(), sum_.end(), Real{0});
-        for (int k = 0; k < n; ++k) {
-            const Real* const from = source_ + static_cast<std::size_t>(indices[k]) * sum_.size();
-            for (std::size_t c = 0; c < sum_.size(); ++c) sum_[c] += weights[k] * from[c];
-        }
+        const auto add = [&](Index i, Real weight) {
+            const Real* const from = source_ + static_cast<std::size_t>(i) * sum_.size();
+            for (std::size_t c = 0; c < sum_.size(); ++c) sum_[c] += weight * from[c];
+        };
+        if (!visit(add)) return false;
         std::copy(sum_.begin(), sum_.end(), destination);
+        return true;
     }
 
   private:
@@ -76,19 +84,28 @@ class Sum {
     std::vector<Real> sum_;
 };
 
-/// Rows made by fill(i, indices, weights), none longer than max_length(i), and summed one by one.
-template <class Real, class MaxLength, class Fill, class SumFunction>
-void InterpolateRows(Index n, const MaxLength& max_length, const Fill& fill, const SumFunction& sum_function,
-                     Real* destination, int width) {
+/// One kind of rows, summed one by one as they are visited, or if they aren't, as they are filled.
+template <class Real, class Visit, class MaxLength, class Fill, class SumFunction>
+void InterpolateRows(Index n, const Visit& visit, const MaxLength& max_length, const Fill& fill,
+                     const SumFunction& sum_function, Real* destination, int width) {
     Sdc::ParallelFor(n, kGrain, [=](Offset begin, Offset end) {
-        std::size_t room = 0;
-        for (Offset i = begin; i < end; ++i) room = std::max(room, max_length(static_cast<Index>(i)));
-        std::vector<Index> indices(room);
-        std::vector<Real> weights(room);
+        std::vector<Index> indices;
+        std::vector<Real> weights;
+        Internal::RowScratch scratch;
         SumFunction sum = sum_function;
         for (Offset i = begin; i < end; ++i) {
-            const int length = fill(static_cast<Index>(i), indices.data(), weights.data());
-            sum(indices.data(), weights.data(), length, destination + i * width);
+            const Index row = static_cast<Index>(i);
+            Real* const to = destination + i * width;
+            if (sum(to, [&](auto& add) { return visit(row, add); })) continue;
+            if (const std::size_t room = max_length(row); room > indices.size()) {
+                indices.resize(2 * room);
+                weights.resize(2 * room);
+            }
+            const int length = fill(row, indices.data(), weights.data(), scratch);
+            sum(to, [&](auto& add) {
+                for (int k = 0; k < length; ++k) add(indices[k], weights[k]);
+                return true;
+            });
         }
     });
 }
@@ -103,20 +120,27 @@ void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_l
         });
     } else {
         InterpolateRows(
-            parent.n_vertices, [rows](Index v) { return rows->MaxVertexLength(v); },
-            [rows](Index v, Index* indices, Real* weights) { return rows->FillVertex(v, indices, weights); }, sum,
-            destination, width);
+            parent.n_vertices, [rows](Index v, auto& add) { return rows->template VisitVertex<Real>(v, add); },
+            [rows](Index v) { return rows->MaxVertexLength(v); },
+            [rows](Index v, Index* indices, Real* weights, auto&) { return rows->FillVertex(v, indices, weights); },
+            sum, destination, width);
     }
     destination += static_cast<Offset>(rows->ChildOfEdge(0)) * width;
     InterpolateRows(
-        parent.n_edges, [rows](Index e) { return rows->MaxEdgeLength(e); },
-        [rows](Index e, Index* indices, Real* weights) { return rows->FillEdge(e, indices, weights); }, sum,
-        destination, width);
+        parent.n_edges, [rows](Index e, auto& add) { return rows->template VisitEdge<Real>(e, add); },
+        [rows](Index e) { return rows->MaxEdgeLength(e); },
+        [rows](Index e, Index* indices, Real* weights, auto& scratch) {
+            return rows->FillEdge(e, indices, weights, scratch);
+        },
+        sum, destination, width);
     destination += static_cast<Offset>(parent.n_edges) * width;
     InterpolateRows(
-        parent.n_octs, [rows](Index) { return rows->MaxOctLength(); },
-        [rows](Index o, Index* indices, Real* weights) { return rows->FillOct(o, indices, weights); }, sum, destination,
-        width);
+        parent.n_octs, [rows](Index o, auto& add) { return rows->template VisitOct<Real>(o, add); },
+        [rows](Index) { return rows->MaxOctLength(); },
+        [rows](Index o, Index* indices, Real* weights, auto& scratch) {
+            return rows->FillOct(o, indices, weights, scratch);
+        },
+        sum, destination, width);
 }
 
 template <class Real, class Scheme>

@@ -45,15 +45,17 @@ StencilRows<Real> MakeCountedRows(const Level& parent, const Internal::Rows<Sche
             rows.FillVertex(static_cast<Index>(v), indices + offsets[v], weights + offsets[v]);
     });
     Sdc::ParallelFor(parent.n_edges, kGrain, [&](Offset begin, Offset end) {
+        Internal::RowScratch scratch;
         for (Offset e = begin; e < end; ++e) {
             const Offset at = offsets[first_edge + e];
-            rows.FillEdge(static_cast<Index>(e), indices + at, weights + at);
+            rows.FillEdge(static_cast<Index>(e), indices + at, weights + at, scratch);
         }
     });
     Sdc::ParallelFor(parent.n_octs, kGrain, [&](Offset begin, Offset end) {
+        Internal::RowScratch scratch;
         for (Offset o = begin; o < end; ++o) {
             const Offset at = offsets[first_oct + o];
-            rows.FillOct(static_cast<Index>(o), indices + at, weights + at);
+            rows.FillOct(static_cast<Index>(o), indices + at, weights + at, scratch);
         }
     });
     return table;
@@ -63,10 +65,11 @@ template <class Real, class Scheme>
 StencilRows<Real> MakeRows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme) {
     const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
     if constexpr (Internal::Rows<Scheme>::kHasLengths) return MakeCountedRows<Real>(parent, rows);
-    struct Nothing {};
-    return Internal::RowMaker<Real, Nothing>(rows.n_children(), parent.n_vertices, {})
+    return Internal::RowMaker<Real, Internal::RowScratch>(rows.n_children(), parent.n_vertices, {})
         .Make([&](Index child) { return rows.MaxLength(child); },
-              [&](Index child, Index* indices, Real* weights) { return rows.Fill(child, indices, weights); });
+              [&](Index child, Internal::RowScratch& scratch, Index* indices, Real* weights) {
+                  return rows.Fill(child, indices, weights, scratch);
+              });
 }
 
 }  // namespace

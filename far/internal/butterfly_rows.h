@@ -6,11 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <tuple>
 
 #include <solidsubdiv/far/internal/row_entries.h>
 #include <solidsubdiv/far/internal/surface_rings.h>
 #include <solidsubdiv/sdc/interpolating_masks.h>
-#include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far::Internal {
 
@@ -23,14 +23,11 @@ class ButterflyRows {
           walk_(level, sharp),
           rule_(rule),
           rings_(level, walk_),
-          has_quick_rows_(!rule.is_modified || rule.far_weight == 0) {
-        across_.resize(static_cast<std::size_t>(level.n_edges));
-        Sdc::ParallelFor(level.n_edges, kGrain, [&](Offset begin, Offset end) {
-            for (Offset i = begin; i < end; ++i) across_[i] = SumAcross(static_cast<Index>(i));
-        });
-        for (int n = 3; rule.is_modified && n < kFew; ++n) {
-            Sdc::ButterflySurface::ClosedRing(n, {closed_rings_[n].data(), static_cast<std::size_t>(n)});
+          has_eight_points_(!rule.is_modified || rule.far_weight == 0) {
+        for (std::size_t n = 3; rule.is_modified && n < kFew; ++n) {
+            Sdc::ButterflySurface::ClosedRing(static_cast<int>(n), {closed_rings_[n].data(), n});
         }
+        std::apply([&](auto&... weights) { (SetUsualWeights(weights), ...); }, usual_weights_);
     }
 
     std::size_t MaxLength(Index e) const {
@@ -38,10 +35,20 @@ class ButterflyRows {
         const auto ends = level_.EdgeVertices(e);  // both rings and the four wings
         return static_cast<std::size_t>(level_.vertex_edges.Count(ends[0]) + level_.vertex_edges.Count(ends[1]) + 10);
     }
+
+    /// Calls add(vertex, weight) for the entries of a usual row; false, and no call, if the row must be filled.
+    template <class Real, class Add>
+    bool Visit(Index e, Add&& add) const {
+        const auto ends = level_.EdgeVertices(e);
+        const bool is_regular[2] = {rings_.IsRegular(ends[0]), rings_.IsRegular(ends[1])};
+        if (is_regular[0] && is_regular[1]) return has_eight_points_ && VisitEightPoints<Real>(e, add);
+        if (is_regular[0] == is_regular[1] || !rule_.is_modified) return false;
+        return VisitOneRing<Real>(e, is_regular[0], add);
+    }
+
     /// Fills the row and returns its length.
     template <class Real>
     int Fill(Index e, Index* indices, Real* weights) const {
-        if (has_quick_rows_ && HasRegularEnds(e) && FillQuickly(e, indices, weights)) return 8;
         RowEntries<Real> row(indices, weights);
         for (Index end : level_.EdgeVertices(e)) row.Add(end, Straight());
         std::array<Room<Index>, 2> rooms;
@@ -51,51 +58,80 @@ class ButterflyRows {
     }
 
   private:
-    static constexpr Offset kGrain = 4096;
     static constexpr std::size_t kRegularLength = 10;
-    static constexpr int kFew = 13;
-    static constexpr std::uint32_t kNothing = ~std::uint32_t{0};  // no sum of two indices
+    static constexpr std::size_t kFew = 13;
 
     bool HasRegularEnds(Index e) const {
         const auto ends = level_.EdgeVertices(e);
         return rings_.IsRegular(ends[0]) && rings_.IsRegular(ends[1]);
     }
-    std::uint32_t SumAcross(Index e) const {
-        if (walk_.EndsSurface(e)) return kNothing;
-        const SurfaceWalk::Faces faces = walk_.FacesAt(e);
-        return static_cast<std::uint32_t>(level_.ThirdVertex(faces.first, e)) +
-               static_cast<std::uint32_t>(level_.ThirdVertex(faces.second, e));
-    }
     /// The weight of an end in the middle of the edge.
     double Straight() const { return (1 - rule_.pull) / 2; }
 
     /// The eight points between regular vertices, if all are there and stand once; the same row as FillRegular's.
-    template <class Real>
-    bool FillQuickly(Index e, Index* indices, Real* weights) const {
+    template <class Real, class Add>
+    bool VisitEightPoints(Index e, Add&& add) const {
         const auto ends = level_.EdgeVertices(e);
         const SurfaceWalk::Faces faces = walk_.FacesAt(e);
-        std::copy(ends.begin(), ends.end(), indices);
+        std::array<Index, 2> opposite;
+        std::array<Index, 4> wings;  // of the first face at either end, of the second
         for (int i = 0; i < 2; ++i) {
             const Index f = i == 0 ? faces.first : faces.second;
             const auto edges = level_.FaceEdges(f);
             const int mine = edges[0] == e ? 0 : edges[1] == e ? 1 : 2;
-            indices[2 + i] = level_.FaceVertices(f)[mine];
+            opposite[i] = level_.FaceVertices(f)[mine];
             // Faces and edges list vertices ascending: the face's other edges lie opposite this one's ends in order.
-            const std::uint32_t at_last = across_[edges[mine == 0 ? 1 : 0]],
-                                at_first = across_[edges[mine == 2 ? 1 : 2]];
-            if (at_first == kNothing || at_last == kNothing) return false;
-            indices[4 + 2 * i] = static_cast<Index>(at_first - static_cast<std::uint32_t>(ends[1]));
-            indices[5 + 2 * i] = static_cast<Index>(at_last - static_cast<std::uint32_t>(ends[0]));
+            const std::uint32_t at_last = rings_.Sum(edges[mine == 0 ? 1 : 0]),
+                                at_first = rings_.Sum(edges[mine == 2 ? 1 : 2]);
+            if (at_first == SurfaceRings::kNothing || at_last == SurfaceRings::kNothing) return false;
+            wings[2 * i] = static_cast<Index>(at_first - static_cast<std::uint32_t>(ends[1]));
+            wings[2 * i + 1] = static_cast<Index>(at_last - static_cast<std::uint32_t>(ends[0]));
         }
         // Around each end six vertices are distinct: only wings of one can be wings of the other too.
-        for (int i : {4, 6}) {
-            if (indices[i] == indices[5] || indices[i] == indices[7]) return false;
-        }
-        const Sdc::ButterflyWeights w = rule_.Regular(false);
-        std::fill(weights, weights + 2, static_cast<Real>(Straight()) + static_cast<Real>(rule_.pull * w.end));
-        std::fill(weights + 2, weights + 4, static_cast<Real>(rule_.pull * w.opposite));
-        std::fill(weights + 4, weights + 8, static_cast<Real>(rule_.pull * w.wing));
+        if (wings[0] == wings[1] || wings[0] == wings[3] || wings[2] == wings[1] || wings[2] == wings[3]) return false;
+        const auto& w = std::get<UsualWeights<Real>>(usual_weights_);
+        for (Index v : ends) add(v, w.end);
+        for (Index v : opposite) add(v, w.opposite);
+        for (Index v : wings) add(v, w.wing);
         return true;
+    }
+
+    /// The row of an edge of which one end, the first or the second, is not regular; the same as FillFromFans'.
+    template <class Real, class Add>
+    bool VisitOneRing(Index e, int end, Add&& add) const {
+        const auto ends = level_.EdgeVertices(e);
+        const auto ring = rings_.RingFrom(ends[end], ends[1 - end]);
+        const std::size_t n = ring.size();
+        if (n < 3 || n == 6 || n >= kFew) return false;
+        const auto& w = std::get<UsualWeights<Real>>(usual_weights_);
+        add(ends[0], end == 0 ? w.ring_self : w.rings[n][0]);
+        add(ends[1], end == 0 ? w.rings[n][0] : w.ring_self);
+        for (std::size_t i = 1; i < n; ++i) {
+            if (w.rings[n][i] != 0) add(ring[i], w.rings[n][i]);
+        }
+        return true;
+    }
+
+    /// Weights of rows that are visited, as the rows' numbers.
+    template <class Real>
+    struct UsualWeights {
+        Real end, opposite, wing, ring_self;
+        std::array<std::array<Real, kFew>, kFew> rings{};  ///< by the number of triangles; of the other end first
+    };
+    template <class Real>
+    void SetUsualWeights(UsualWeights<Real>& weights) const {
+        const Sdc::ButterflyWeights w = rule_.Regular(false);
+        const Real straight = static_cast<Real>(Straight());
+        weights.end = straight + static_cast<Real>(rule_.pull * w.end);
+        weights.opposite = static_cast<Real>(rule_.pull * w.opposite);
+        weights.wing = static_cast<Real>(rule_.pull * w.wing);
+        weights.ring_self = straight + static_cast<Real>(rule_.pull * Sdc::ButterflySurface::kClosedRingSelf);
+        for (std::size_t n = 3; n < kFew; ++n) {
+            for (std::size_t i = 0; i < n; ++i) {
+                weights.rings[n][i] = static_cast<Real>(rule_.pull * closed_rings_[n][i]);
+            }
+            weights.rings[n][0] += straight;
+        }
     }
 
     using Fans = std::array<Fan, 2>;
@@ -147,7 +183,7 @@ class ButterflyRows {
     /// Weights of a ring, in the room or known before, and of the vertex inside.
     double RingWeights(const Fan& fan, Room<double>& room, const double*& ring) const {
         const int n = fan.n_triangles();
-        if (fan.is_closed && n < kFew) {
+        if (fan.is_closed && fan.ring.size() < kFew) {
             ring = closed_rings_[n].data();
             return Sdc::ButterflySurface::kClosedRingSelf;
         }
@@ -210,9 +246,9 @@ class ButterflyRows {
     const SurfaceWalk walk_;
     const Sdc::ButterflySurface rule_;
     const SurfaceRings rings_;
-    const bool has_quick_rows_;
-    Array<std::uint32_t> across_;  // of each edge where a surface goes on: the third vertices of its faces, summed
+    const bool has_eight_points_;                                // between regular vertices
     std::array<std::array<double, kFew>, kFew> closed_rings_{};  // weights, by the number of triangles
+    std::tuple<UsualWeights<float>, UsualWeights<double>> usual_weights_;
 };
 
 }  // namespace SolidSubdiv::Far::Internal

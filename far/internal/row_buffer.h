@@ -15,6 +15,7 @@ struct RowBuffer {
     std::vector<Index> indices;  ///< and weights: the first n count
     std::vector<Real> weights;
     std::size_t n = 0;
+    RowScratch scratch;
 
     template <class Scheme>
     void Read(const Rows<Scheme>& rows, Index child) {
@@ -23,7 +24,7 @@ struct RowBuffer {
             indices.resize(2 * room);
             weights.resize(2 * room);
         }
-        n = rows.Fill(child, indices.data(), weights.data());
+        n = rows.Fill(child, indices.data(), weights.data(), scratch);
     }
     std::span<const Index> Indices() const { return {indices.data(), n}; }
     std::span<const Real> Weights() const { return {weights.data(), n}; }

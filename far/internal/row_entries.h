@@ -3,10 +3,18 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include <solidsubdiv/sdc/types.h>
 
 namespace SolidSubdiv::Far::Internal {
+
+/// Room that a thread needs while it fills rows, one after another.
+struct RowScratch {
+    std::vector<std::uint32_t>
+        notes;  ///< of each vertex of the level, whatever they are; used by rows of two-neighbours
+};
 
 /// Takes in weights of vertices, in room that somebody else has. A vertex that comes again adds to its weight.
 template <class Real>

@@ -45,16 +45,16 @@ class RowMaker {
             }
         });
     }
-    /// fill(i, indices, weights) writes row i and returns its length, at most max_length(i).
+    /// fill(i, worker, indices, weights) writes row i and returns its length, at most max_length(i).
     template <class MaxLength, class Fill>
     StencilRows<Real> Make(MaxLength&& max_length, Fill&& fill) {
-        return MakeChunks([&](Offset first, Offset end, Worker&, Part& part) {
+        return MakeChunks([&](Offset first, Offset end, Worker& worker, Part& part) {
             std::size_t room = 0, n = 0;
             for (Offset i = first; i < end; ++i) room += max_length(static_cast<Index>(i));
             part.indices.resize(room);
             part.weights.resize(room);
             for (Offset i = first; i < end; ++i) {
-                n += fill(static_cast<Index>(i), part.indices.data() + n, part.weights.data() + n);
+                n += fill(static_cast<Index>(i), worker, part.indices.data() + n, part.weights.data() + n);
                 rows_.offsets[i + 1] = static_cast<Offset>(n);
             }
             part.indices.resize(n);

@@ -52,14 +52,9 @@ class SurfaceWalk {
         Index first, second;
     };
     /// The two faces of the surface at an edge of the surface rule.
-    Faces FacesAt(Index e) const {
+    [[gnu::always_inline]] Faces FacesAt(Index e) const {
         const auto all = level_.edge_faces[e];
-        if (all.size() == 2) return {all[0], all[1]};
-        Faces faces{kNoIndex, kNoIndex};
-        for (Index f : all) {
-            if (level_.face_tags[f].is_boundary()) (faces.first == kNoIndex ? faces.first : faces.second) = f;
-        }
-        return faces;
+        return all.size() == 2 ? Faces{all[0], all[1]} : BoundaryFacesOf(all);
     }
     bool EndsSurface(Index e) const { return level_.edge_tags[e].rule() != Rule::Surface || sharp_.IsCrease(e); }
     Index Across(Index e, Index f) const {
@@ -123,6 +118,15 @@ class SurfaceWalk {
     }
 
   private:
+    /// The two of the surface among several. Out of line: the usual case is short where it is asked for.
+    [[gnu::noinline]] Faces BoundaryFacesOf(std::span<const Index> all) const {
+        Faces faces{kNoIndex, kNoIndex};
+        for (Index f : all) {
+            if (level_.face_tags[f].is_boundary()) (faces.first == kNoIndex ? faces.first : faces.second) = f;
+        }
+        return faces;
+    }
+
     Index OtherEnd(Index e, Index v) const {
         const auto ends = level_.EdgeVertices(e);
         return ends[0] + ends[1] - v;

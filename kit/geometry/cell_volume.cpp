@@ -47,21 +47,14 @@ double SixfoldCone(std::span<const double> positions, const Point& apex, std::sp
     return sum;
 }
 
-/// A kind of cell by its faces, counterclockwise from outside, in VTK's vertex order; -1: a triangle.
-template <std::size_t N>
-using FaceTable = std::array<std::array<int, 4>, N>;
-constexpr FaceTable<6> kHexFaces{{{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
-constexpr FaceTable<5> kWedgeFaces{{{0, 1, 2, -1}, {3, 5, 4, -1}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}}};
-constexpr FaceTable<5> kPyramidFaces{{{0, 3, 2, 1}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}}};
-
-template <std::size_t N>
-double VolumeByFaces(std::span<const double> positions, const FaceTable<N>& faces, std::span<const Index> cell) {
+template <class Cell>
+double VolumeByFaces(std::span<const double> positions, std::span<const Index> cell) {
     const Point apex = At(positions, cell[0]);
     double sum = 0;
-    for (const auto& face : faces) {
-        const std::size_t n = face[3] < 0 ? 3 : 4;
+    for (const auto& face : Cell::faces) {
+        const std::size_t n = face[3] == Sdc::kNoLocal ? 3 : 4;
         std::array<Index, 4> vertices{};
-        for (std::size_t k = 0; k < n; ++k) vertices[k] = cell[static_cast<std::size_t>(face[k])];
+        for (std::size_t k = 0; k < n; ++k) vertices[k] = cell[face[k]];
         sum += SixfoldCone(positions, apex, std::span(vertices).first(n));
     }
     return sum / 6.0;
@@ -106,12 +99,11 @@ std::vector<double> CellVolumes(const Far::TopologyDescriptor& d, std::span<cons
     };
     append(d.tets.size() / 4, [&](Offset c) { return TetVolume(positions, d.tets.subspan(4 * c).first<4>()); });
     append(d.octs.size() / 6, [&](Offset c) { return OctVolume(positions, d.octs.subspan(6 * c).first<6>()); });
-    append(d.hexes.size() / 8,
-           [&](Offset c) { return VolumeByFaces(positions, kHexFaces, d.hexes.subspan(8 * c, 8)); });
+    append(d.hexes.size() / 8, [&](Offset c) { return VolumeByFaces<Sdc::Hex>(positions, d.hexes.subspan(8 * c, 8)); });
     append(d.wedges.size() / 6,
-           [&](Offset c) { return VolumeByFaces(positions, kWedgeFaces, d.wedges.subspan(6 * c, 6)); });
+           [&](Offset c) { return VolumeByFaces<Sdc::Wedge>(positions, d.wedges.subspan(6 * c, 6)); });
     append(d.pyramids.size() / 5,
-           [&](Offset c) { return VolumeByFaces(positions, kPyramidFaces, d.pyramids.subspan(5 * c, 5)); });
+           [&](Offset c) { return VolumeByFaces<Sdc::Pyramid>(positions, d.pyramids.subspan(5 * c, 5)); });
     append(d.polyhedron_offsets.empty() ? 0 : d.polyhedron_offsets.size() - 1,
            [&](Offset c) { return PolyhedronVolume(d, positions, c); });
     return volumes;

@@ -81,6 +81,12 @@ inline Tag TagOfFaceEdge(FaceTag face) {
     }
 }
 
+/// Tag of a vertex that a split puts inside a face.
+inline Tag TagOfFacePoint(FaceTag face) {
+    const Tag edge = TagOfFaceEdge(face);
+    return MakeTag(edge.rule(), edge.bits & (Tag::kInCell | Tag::kInFace));
+}
+
 /// Tag of an edge or a vertex that a split puts inside a cell.
 inline Tag TagInsideCell() { return MakeTag(Rule::Solid, Tag::kInCell | Tag::kInFace); }
 

@@ -24,9 +24,8 @@ Sharpness MakeSmooth(Offset n_edges, Offset n_vertices) {
     return smooth;
 }
 
-/// Vertices of surfaces that are in one triangle become corners.
-void SharpenCorners(const Level& level, Sharpness& sharpness) {
-    if (sharpness.empty()) sharpness = MakeSmooth(level.n_edges, level.n_vertices);
+/// Vertices of surfaces that are in one face become corners.
+void SharpenCorners(const Vtr::EdgeGraph& level, Sharpness& sharpness) {
     for (Index v = 0; v < level.n_vertices; ++v) {
         const auto edges = level.vertex_edges[v];
         const bool is_corner = edges.size() == 2 && level.edge_faces.Count(edges[0]) == 1 &&
@@ -34,14 +33,21 @@ void SharpenCorners(const Level& level, Sharpness& sharpness) {
                                level.edge_faces[edges[0]][0] == level.edge_faces[edges[1]][0];
         if (is_corner) sharpness.vertices[v] = Sdc::kInfinitelySharp;
     }
-    if (!IsAnySharp(sharpness)) sharpness = {};
 }
 
-/// Sharpness of the children of a level's edges and vertices.
-Sharpness Refine(const Level& level, const Sharpness& parent, Sdc::CreasingMethod method) {
-    if (parent.empty()) return {};
-    const Vtr::Counts counts = Vtr::Refine(Vtr::CountsOf(level));
-    Sharpness child = MakeSmooth(counts.n_edges, counts.n_vertices);  // inside faces and cells
+/// Edges and vertices of solids that are in one cell become creases and corners.
+void SharpenCells(const Vtr::EdgeGraph& level, Sharpness& sharpness) {
+    for (Index e = 0; e < level.n_edges; ++e) {
+        const Vtr::Tag tag = level.edge_tags[e];
+        if (tag.one_cell() && tag.rule() == Vtr::Rule::Surface) sharpness.edges[e] = Sdc::kInfinitelySharp;
+    }
+    for (Index v = 0; v < level.n_vertices; ++v) {
+        if (level.vertex_tags[v].one_cell()) sharpness.vertices[v] = Sdc::kInfinitelySharp;
+    }
+}
+
+/// Sharpness of the children of a level's edges and vertices. @param child smooth
+Sharpness Refine(const Vtr::EdgeGraph& level, Sharpness child, const Sharpness& parent, Sdc::CreasingMethod method) {
     for (Index e = 0; e < level.n_edges; ++e) {
         if (!Sdc::IsSharp(parent.edges[e])) continue;
         for (int s = 0; s < 2; ++s) {
@@ -55,7 +61,8 @@ Sharpness Refine(const Level& level, const Sharpness& parent, Sdc::CreasingMetho
 
 }  // namespace
 
-float ChildSharpness(const Level& level, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e, Index v) {
+float ChildSharpness(const Vtr::EdgeGraph& level, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e,
+                     Index v) {
     const float mine = sharpness.edges[e];
     if (method == Sdc::CreasingMethod::Uniform || Sdc::IsInfinitelySharp(mine) || !Sdc::IsSharp(mine)) {
         return Sdc::Decay(mine);
@@ -70,7 +77,7 @@ float ChildSharpness(const Level& level, const Sharpness& sharpness, Sdc::Creasi
     return Sdc::DecayByChaikin(mine, sum, n);
 }
 
-Sharpness TakeSharpness(const TopologyDescriptor& d, const Level& level, DefectList& defects) {
+Sharpness TakeSharpness(const TopologyDescriptor& d, const Vtr::EdgeGraph& level, DefectList& defects) {
     if (d.crease_edges.empty() && d.corner_vertices.empty()) return {};
     Sharpness sharpness = MakeSmooth(level.n_edges, level.n_vertices);
     for (std::size_t i = 0; i < d.crease_sharpness.size(); ++i) {
@@ -95,25 +102,35 @@ std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const S
     const Sdc::CreaseOptions options = std::visit([](const auto& s) { return CreaseOptionsOf(s); }, scheme);
     std::vector<Sharpness> levels(static_cast<std::size_t>(std::max(n_levels, 1)));
     levels[0] = refiner.sharpness();
-    if (options.sharp_corners) SharpenCorners(refiner.level(0), levels[0]);
-    for (int l = 1; l < n_levels; ++l) levels[l] = Refine(refiner.level(l - 1), levels[l - 1], options.method);
+    if (options.sharp_corners || options.sharp_cells) {
+        const Vtr::EdgeGraph base = refiner.graph(0);
+        if (levels[0].empty()) levels[0] = MakeSmooth(base.n_edges, base.n_vertices);
+        if (options.sharp_corners) SharpenCorners(base, levels[0]);
+        if (options.sharp_cells) SharpenCells(base, levels[0]);
+        if (!IsAnySharp(levels[0])) levels[0] = {};
+    }
+    for (int l = 1; l < n_levels; ++l) {
+        if (levels[l - 1].empty()) break;
+        levels[l] = Refine(refiner.graph(l - 1), MakeSmooth(refiner.n_edges(l), refiner.n_vertices(l)), levels[l - 1],
+                           options.method);
+    }
     return levels;
 }
 
 double SharpRules::CreaseShare(Index e) const {
     const float s = sharpness_.edges[e];
-    const auto ends = level_.EdgeVertices(e);
-    const auto goes_on = [&](Index v) { return Sdc::IsSharp(ChildSharpness(level_, sharpness_, method_, e, v)); };
+    const auto ends = graph_.EdgeVertices(e);
+    const auto goes_on = [&](Index v) { return Sdc::IsSharp(ChildSharpness(graph_, sharpness_, method_, e, v)); };
     // A crease while both halves are sharp still. Chaikin's mean may leave less than nothing of a sharpness above 1:
     // then this goes past the crease's point, as in OpenSubdiv (docs/decisions/0008).
     return goes_on(ends[0]) && goes_on(ends[1]) ? 1.0 : static_cast<double>(s);
 }
 
 bool SharpRules::HasSharpEdgeOrIsSharp(Index v) const {
-    const Vtr::Rule rule = level_.vertex_tags[v].rule();
+    const Vtr::Rule rule = graph_.vertex_tags[v].rule();
     if (rule != Vtr::Rule::Surface && rule != Vtr::Rule::Curve) return false;
     if (Sdc::IsSharp(sharpness_.vertices[v])) return true;
-    for (Index e : level_.vertex_edges[v]) {
+    for (Index e : graph_.vertex_edges[v]) {
         if (ChangesEdge(e)) return true;
     }
     return false;
@@ -123,7 +140,7 @@ bool SharpRules::IsFading(Index v) const {
     if (!ChangesVertex(v)) return false;
     const auto fades = [](float s) { return Sdc::IsSharp(s) && !Sdc::IsInfinitelySharp(s); };
     bool is_fading = fades(sharpness_.vertices[v]);
-    ForSurfaceEdges(level_, sharpness_, v, [&](Index, float s) { is_fading = is_fading || fades(s); });
+    ForSurfaceEdges(graph_, sharpness_, v, [&](Index, float s) { is_fading = is_fading || fades(s); });
     return is_fading;
 }
 
@@ -141,10 +158,10 @@ std::array<SharpRules::Part, 2> SharpRules::VertexParts(Index v) const {
         if (n_sharp[part] < 2) parts[part].crease[n_sharp[part]] = e;
         ++n_sharp[part];
     };
-    ForSurfaceEdges(level_, sharpness_, v, [&](Index e, float s) {
+    ForSurfaceEdges(graph_, sharpness_, v, [&](Index e, float s) {
         if (!Sdc::IsSharp(s)) return;
         add(0, e);
-        const float child = Sdc::IsInfinitelySharp(s) ? s : ChildSharpness(level_, sharpness_, method_, e, v);
+        const float child = Sdc::IsInfinitelySharp(s) ? s : ChildSharpness(graph_, sharpness_, method_, e, v);
         if (Sdc::IsSharp(child)) {
             add(1, e);
         } else {
@@ -180,12 +197,12 @@ Creases CreasesAt(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int
     };
     if (level == 0) {
         for (Index e = 0; e < static_cast<Index>(sharpness.edges.size()); ++e) {
-            const auto ends = refiner.level(0).EdgeVertices(e);
+            const auto ends = refiner.graph(0).EdgeVertices(e);
             add(ends[0], ends[1], sharpness.edges[e]);
         }
     } else if (!sharpness.empty()) {
         // A sharp edge is half of an edge of the level before, which is full.
-        const Level& parent = refiner.level(level - 1);
+        const Vtr::EdgeGraph parent = refiner.graph(level - 1);
         for (Index e = 0; e < parent.n_edges; ++e) {
             const auto ends = parent.EdgeVertices(e);
             const Index point = parent.n_vertices + e;

@@ -57,6 +57,8 @@ enum class DefectCode {
     RepeatedVertex,     ///< fatal: an element names a vertex twice
     DuplicateElement,   ///< fatal: two elements of one kind have the same vertices
     FaceInThreeCells,   ///< fatal: a face bounds more than two cells
+    OpenCell,           ///< fatal: a polyhedron's faces do not close
+    TwistedFace,        ///< fatal: two elements have a face's vertices in orders that do not fit
     BadSharpness,       ///< fatal: a sharpness is negative or not a number
     BadOffsets,         ///< fatal: an offset array or an array's length does not fit its kind
     InvertedCell,       ///< a cell whose orientation disagrees with its neighbour's
@@ -78,7 +80,7 @@ struct Defect {
     bool IsFatal() const { return code <= DefectCode::BadOffsets; }
 };
 
-/// Everything that is wrong with a complex of tets, octs, triangles and edges, fatal defects first; of each code at
+/// Everything that is wrong with a complex of any elements, fatal defects first; of each code at
 /// most max_per_code. Cost: a sort of all faces and edges.
 std::vector<Defect> Validate(const TopologyDescriptor& descriptor, Index max_per_code = 100);
 

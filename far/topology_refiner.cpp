@@ -10,6 +10,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/check.h>
+#include <solidsubdiv/far/internal/polyhedral_check.h>
 #include <solidsubdiv/far/internal/sharpness.h>
 
 namespace SolidSubdiv::Far {
@@ -23,13 +24,56 @@ Offset MachineBytes() {
     return static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * static_cast<Offset>(sysconf(_SC_PAGESIZE));
 }
 
-void RequireIndexable(const Vtr::Counts& counts, int level, Offset bytes) {
+template <class Counts>
+void RequireIndexable(const Counts& counts, int level, Offset bytes) {
     constexpr Offset limit = std::numeric_limits<Index>::max();
     if (counts.Largest() <= limit) return;
     throw InvalidInput("level " + std::to_string(level) + " would have " + std::to_string(counts.n_cells()) +
                        " cells and " + std::to_string(counts.Largest()) + " components of one kind, more than the " +
                        std::to_string(limit) + " that indices count, in " + BytesText(bytes) + " (" +
                        std::to_string(bytes) + " bytes); refine fewer times");
+}
+
+template <class Counts>
+Counts CountsAfter(Counts counts, int level) {
+    for (int i = 0; i < level; ++i) {
+        // One split makes at most 24 + 4 + 4 times as many of a kind.
+        if (counts.Largest() > std::numeric_limits<Offset>::max() / 64) {
+            throw InvalidInput("level " + std::to_string(level) + " has more components than 64 bits count");
+        }
+        counts = Refine(counts);
+    }
+    return counts;
+}
+
+/// Splits the first of levels again and again, after a check that all of them fit.
+template <class AnyLevel>
+void RefineLevels(std::vector<AnyLevel>& levels, const UniformRefinementOptions& options) {
+    const auto is_full = [&](int i) { return i < options.max_level || options.full_topology_in_last_level; };
+    const auto base = CountsOf(levels[0]);
+    const Offset max_bytes = options.max_bytes > 0 ? options.max_bytes : MachineBytes();
+    Offset bytes = levels[0].Bytes();
+    auto counts = base;
+    for (int i = 1; i <= options.max_level; ++i) {
+        counts = Refine(counts);
+        bytes += EstimateBytes(counts, is_full(i));
+        RequireIndexable(counts, i, bytes);
+    }
+    if (bytes > max_bytes) {
+        throw InvalidInput("refining to level " + std::to_string(options.max_level) + " makes " +
+                           std::to_string(counts.n_cells()) + " cells and needs " + BytesText(bytes) + " (" +
+                           std::to_string(bytes) + " bytes), more than the " + BytesText(max_bytes) +
+                           " allowed; refine fewer times");
+    }
+    levels.resize(1);
+    levels.reserve(static_cast<std::size_t>(options.max_level) + 1);
+    const auto work = [](const auto& c) { return static_cast<double>(c.n_cells() + c.n_boundary_faces); };
+    for (int i = 1; i <= options.max_level; ++i) {
+        Report(options.progress, "refine topology",
+               i == 1 ? 0.0 : work(CountsAfter(base, i - 1)) / std::max(1.0, work(counts)));
+        levels.push_back(Refine(levels.back(), is_full(i)));
+    }
+    Report(options.progress, "refine topology", 1.0);
 }
 
 }  // namespace
@@ -55,6 +99,19 @@ void UniformRefinementOptions::Validate() const {
 }
 
 TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sdc::Split split) {
+    TopologyRefiner refiner;
+    refiner.split_ = split;
+    if (split == Sdc::Split::Polyhedral) {
+        refiner.CreatePolyhedral(descriptor);
+    } else {
+        refiner.CreateTetOct(descriptor);
+    }
+    const std::vector<Defect>& defects = refiner.defects_;
+    if (!defects.empty() && defects.front().IsFatal()) throw InvalidInput(defects.front().text);
+    return refiner;
+}
+
+void TopologyRefiner::CreateTetOct(const TopologyDescriptor& descriptor) {
     const std::string others = Internal::KindsBeyondTetOct(descriptor);
     if (!others.empty()) {
         throw InvalidInput("the mesh has " + others + "; the tet/oct split takes tets, octs, triangles and edges only");
@@ -69,63 +126,41 @@ TopologyRefiner TopologyRefiner::Create(const TopologyDescriptor& descriptor, Sd
     }
     Internal::DefectList defects(kDefectsPerCode);
     Internal::CheckElements(descriptor, defects);
-
-    TopologyRefiner refiner;
-    refiner.split_ = split;
     if (!defects.has_fatal()) {
         Vtr::BaseFindings findings;
-        refiner.levels_.push_back(Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings));
-        Internal::AddFindings(descriptor, refiner.levels_[0], findings, defects);
-        if (findings.IsUsable()) refiner.sharpness_ = Internal::TakeSharpness(descriptor, refiner.levels_[0], defects);
+        levels_.push_back(Vtr::MakeBaseLevel(Internal::ElementsOf(descriptor), findings));
+        Internal::AddFindings(descriptor, levels_[0], findings, defects);
+        if (findings.IsUsable()) {
+            sharpness_ = Internal::TakeSharpness(descriptor, Vtr::EdgeGraph(levels_[0]), defects);
+        }
     }
-    refiner.defects_ = defects.TakeFatalFirst();
-    if (defects.has_fatal()) throw InvalidInput(refiner.defects_.front().text);
-    return refiner;
+    defects_ = defects.TakeFatalFirst();
 }
 
-Vtr::Counts TopologyRefiner::CountsAt(int level) const {
-    Vtr::Counts counts = Vtr::CountsOf(levels_[0]);
-    for (int i = 0; i < level; ++i) {
-        // One split makes at most 24 + 4 + 4 times as many of a kind.
-        if (counts.Largest() > std::numeric_limits<Offset>::max() / 64) {
-            throw InvalidInput("level " + std::to_string(level) + " has more components than 64 bits count");
-        }
-        counts = Vtr::Refine(counts);
+void TopologyRefiner::CreatePolyhedral(const TopologyDescriptor& descriptor) {
+    Internal::DefectList defects(kDefectsPerCode);
+    if (auto level = Internal::MakeCheckedPolyhedralLevel(descriptor, defects)) {
+        polyhedral_levels_.push_back(std::move(*level));
+        sharpness_ = Internal::TakeSharpness(descriptor, Vtr::EdgeGraph(polyhedral_levels_[0]), defects);
     }
-    return counts;
+    defects_ = defects.TakeFatalFirst();
+}
+
+Vtr::Counts TopologyRefiner::CountsAt(int level) const { return CountsAfter(Vtr::CountsOf(levels_[0]), level); }
+
+Vtr::PolyhedralCounts TopologyRefiner::PolyhedralCountsAt(int level) const {
+    return CountsAfter(Vtr::CountsOf(polyhedral_levels_[0]), level);
 }
 
 void TopologyRefiner::RefineUniform(const UniformRefinementOptions& options) {
     options.Validate();
-    Offset bytes = levels_[0].Bytes();
-    Vtr::Counts counts = Vtr::CountsOf(levels_[0]);
-    const Offset max_bytes = options.max_bytes > 0 ? options.max_bytes : MachineBytes();
-    for (int i = 1; i <= options.max_level; ++i) {
-        counts = Vtr::Refine(counts);
-        bytes += Vtr::EstimateBytes(counts, i < options.max_level || options.full_topology_in_last_level);
-        RequireIndexable(counts, i, bytes);
-    }
-    if (bytes > max_bytes) {
-        throw InvalidInput("refining to level " + std::to_string(options.max_level) + " makes " +
-                           std::to_string(counts.n_cells()) + " cells and needs " + BytesText(bytes) + " (" +
-                           std::to_string(bytes) + " bytes), more than the " + BytesText(max_bytes) +
-                           " allowed; refine fewer times");
-    }
-
-    levels_.resize(1);
-    levels_.reserve(static_cast<std::size_t>(options.max_level) + 1);
-    const Offset all_cells = std::max<Offset>(1, counts.n_cells() + counts.n_boundary_faces);
-    for (int i = 1; i <= options.max_level; ++i) {
-        const double done = static_cast<double>(CountsAt(i - 1).n_cells() + CountsAt(i - 1).n_boundary_faces);
-        Report(options.progress, "refine topology", i == 1 ? 0.0 : done / static_cast<double>(all_cells));
-        levels_.push_back(Vtr::Refine(levels_.back(), i < options.max_level || options.full_topology_in_last_level));
-    }
-    Report(options.progress, "refine topology", 1.0);
+    is_polyhedral() ? RefineLevels(polyhedral_levels_, options) : RefineLevels(levels_, options);
 }
 
 Offset TopologyRefiner::Bytes() const {
     Offset bytes = 0;
     for (const Level& level : levels_) bytes += level.Bytes();
+    for (const Vtr::PolyhedralLevel& level : polyhedral_levels_) bytes += level.Bytes();
     return bytes;
 }
 

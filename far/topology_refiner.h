@@ -5,6 +5,8 @@
 //     refiner.RefineUniform({.max_level = 3});
 //     refiner.level(3).n_tets;
 //
+// Sdc::Split::Polyhedral takes cells and faces of every kind; its levels are those of polyhedral_level().
+//
 // A refiner knows topology and the split, nothing of schemes: one refinement serves many. Children are numbered by the
 // parent component they come from (vtr/refinement.h), so relations between levels are arithmetic.
 #pragma once
@@ -14,7 +16,10 @@
 #include <solidsubdiv/far/topology_descriptor.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/progress.h>
+#include <solidsubdiv/vtr/edge_graph.h>
 #include <solidsubdiv/vtr/level.h>
+#include <solidsubdiv/vtr/polyhedral_level.h>
+#include <solidsubdiv/vtr/polyhedral_refinement.h>
 #include <solidsubdiv/vtr/refinement.h>
 
 namespace SolidSubdiv::Far {
@@ -53,11 +58,27 @@ class TopologyRefiner {
     void RefineUniform(const UniformRefinementOptions& options);
 
     Sdc::Split split() const { return split_; }
-    int max_level() const { return static_cast<int>(levels_.size()) - 1; }
+    bool is_polyhedral() const { return split_ == Sdc::Split::Polyhedral; }
+    int max_level() const { return static_cast<int>(levels_.size() + polyhedral_levels_.size()) - 1; }
+    /// @pre !is_polyhedral()
     const Level& level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
+    /// @pre is_polyhedral(). Cells: the descriptor's hexahedra, then its tets, octs, wedges, pyramids, polyhedra.
+    const Vtr::PolyhedralLevel& polyhedral_level(int i) const {
+        return polyhedral_levels_[static_cast<std::size_t>(i)];
+    }
+
+    // Of either split.
+    Index n_vertices(int i) const { return is_polyhedral() ? polyhedral_level(i).n_vertices : level(i).n_vertices; }
+    Index n_edges(int i) const { return is_polyhedral() ? polyhedral_level(i).n_edges : level(i).n_edges; }
+    Offset n_cells(int i) const { return is_polyhedral() ? polyhedral_level(i).n_cells() : level(i).n_cells(); }
+    /// Vertices and edges of a full level.
+    Vtr::EdgeGraph graph(int i) const {
+        return is_polyhedral() ? Vtr::EdgeGraph(polyhedral_level(i)) : Vtr::EdgeGraph(level(i));
+    }
 
     /// Counts that a level has or would have, refined or not. @throws InvalidInput where 64 bits don't hold them
     Vtr::Counts CountsAt(int level) const;
+    Vtr::PolyhedralCounts PolyhedralCountsAt(int level) const;
 
     /// Of level 0. What later levels have is the scheme's business: see Creases (far/creases.h).
     const Sharpness& sharpness() const { return sharpness_; }
@@ -71,8 +92,12 @@ class TopologyRefiner {
   private:
     TopologyRefiner() = default;
 
+    void CreateTetOct(const TopologyDescriptor& descriptor);
+    void CreatePolyhedral(const TopologyDescriptor& descriptor);
+
     Sdc::Split split_ = Sdc::Split::TetOct;
-    std::vector<Level> levels_;
+    std::vector<Level> levels_;                            // of the tet/oct split
+    std::vector<Vtr::PolyhedralLevel> polyhedral_levels_;  // of the polyhedral one
     std::vector<Defect> defects_;
     Sharpness sharpness_;
 };

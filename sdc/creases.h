@@ -24,7 +24,8 @@ enum class CreasingMethod {
 /// What a scheme does with creases and corners.
 struct CreaseOptions {
     CreasingMethod method = CreasingMethod::Uniform;
-    bool sharp_corners = false;  ///< vertices in one triangle of an open surface stay (OpenSubdiv's EDGE_AND_CORNER)
+    bool sharp_corners = false;  ///< vertices in one face of an open surface stay (OpenSubdiv's EDGE_AND_CORNER)
+    bool sharp_cells = false;    ///< edges in one cell are creases, vertices in one cell corners
 };
 
 /// Sharpness of a vertex's child, and under CreasingMethod::Uniform of an edge's children.

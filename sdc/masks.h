@@ -10,8 +10,11 @@
 
 namespace SolidSubdiv::Sdc {
 
-/// How a mesh is cut: tets and octs (triangles 1 to 4, edges 1 to 2).
-enum class Split { TetOct };
+/// How a mesh is cut.
+enum class Split {
+    TetOct,     ///< tets and octs into tets and octs, triangles 1 to 4, edges 1 to 2
+    Polyhedral  ///< any cells into a cell a corner, polygons into a quadrilateral a corner, edges 1 to 2
+};
 
 /// Which octahedra a solid rule looks into from a vertex or an edge.
 enum class OctNeighbors {

@@ -90,6 +90,7 @@ class Builder {
         if (!findings_.IsUsable()) return std::move(level_);
         MakeHexes();
         MakePolyhedra();
+        if (findings_.IsUsable()) FindDuplicateCells();
         if (!findings_.IsUsable()) return std::move(level_);
         level_.vertex_edges = Invert(level_.edge_vertices, 2, level_.n_vertices, false);
         MakeUpwardRelations();
@@ -183,6 +184,7 @@ class Builder {
                     first_around = around;
                 } else if (around != first_around) {
                     findings_.twisted_faces.push_back(f);
+                    break;
                 }
                 if (items_.IsPolygon(i)) {
                     const Index polygon = static_cast<Index>(i - items_.n_cell_items());
@@ -307,6 +309,24 @@ class Builder {
                                          rings.vertices[rings.edges[e][1]]));
             }
             p.edge_offsets.push_back(static_cast<Offset>(p.edges.size()));
+        }
+    }
+
+    /// Two cells that are the same share all faces: any one tells.
+    void FindDuplicateCells() {
+        const auto vertices = [&](Index c) {
+            const auto v = level_.CellVertices(c);
+            std::vector<Index> sorted(v.begin(), v.end());
+            std::sort(sorted.begin(), sorted.end());
+            return sorted;
+        };
+        for (Index c = 0; c < level_.n_cells(); ++c) {
+            const auto sides = level_.FaceCells(level_.CellFaces(c)[0]);
+            const Index other = sides[0] == c ? sides[1] : sides[0];
+            if (other == kNoIndex || other > c) continue;
+            if (level_.CellVertices(other).size() == level_.CellVertices(c).size() && vertices(other) == vertices(c)) {
+                findings_.duplicate_cells.push_back(c);
+            }
         }
     }
 

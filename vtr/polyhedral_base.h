@@ -28,6 +28,7 @@ struct PolyhedralElements {
 /// What was found besides the level itself. Cells count as in the level: hexahedra first.
 struct PolyhedralFindings {
     std::vector<Index> open_cells;            ///< whose faces do not close, or meet more than once in an edge or corner
+    std::vector<Index> duplicate_cells;       ///< with the vertices of the cell on the other side of a face
     std::vector<Index> faces_in_three_cells;  ///< faces of the level
     std::vector<Index> twisted_faces;         ///< faces whose vertices stand in another order in another element
     std::vector<Index> duplicate_polygons;    ///< polygons with the vertices of an earlier one
@@ -37,7 +38,7 @@ struct PolyhedralFindings {
     std::vector<Index> flipped_faces;  ///< inner faces that both cells, or surface edges that both polygons, see alike
 
     bool IsUsable() const {
-        return open_cells.empty() && faces_in_three_cells.empty() && twisted_faces.empty() &&
+        return open_cells.empty() && duplicate_cells.empty() && faces_in_three_cells.empty() && twisted_faces.empty() &&
                duplicate_polygons.empty() && duplicate_edges.empty();
     }
 };

@@ -40,6 +40,10 @@ std::string NameOf(Far::DefectCode code) {
             return "duplicate element";
         case Far::DefectCode::FaceInThreeCells:
             return "face in three cells";
+        case Far::DefectCode::OpenCell:
+            return "open cell";
+        case Far::DefectCode::TwistedFace:
+            return "twisted face";
         case Far::DefectCode::BadSharpness:
             return "bad sharpness";
         case Far::DefectCode::BadOffsets:

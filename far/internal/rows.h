@@ -28,7 +28,7 @@ class Rows {
     Rows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme)
         : level_(parent),
           sharpness_(sharpness),
-          sharp_(parent, sharpness, CreaseOptionsOf(scheme).method),
+          sharp_(Vtr::EdgeGraph(parent), sharpness, CreaseOptionsOf(scheme).method),
           scheme_(scheme),
           surface_(scheme.surface()),
           curve_(scheme.curve()),

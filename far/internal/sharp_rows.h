@@ -10,6 +10,7 @@ namespace SolidSubdiv::Far::Internal {
 template <class Surface, class Curve, class Real>
 void FillSharpVertex(const Level& level, const Sharpness& sharpness, const SharpRules& sharp, const Surface& surface,
                      const Curve& curve, Index v, RowEntries<Real>& row) {
+    const Vtr::EdgeGraph graph(level);
     const auto other_end = [&](Index e) {
         const auto ends = level.EdgeVertices(e);
         return ends[0] + ends[1] - v;
@@ -31,10 +32,10 @@ void FillSharpVertex(const Level& level, const Sharpness& sharpness, const Sharp
                 }
                 default: {
                     int n = 0;
-                    ForSurfaceEdges(level, sharpness, v, [&](Index, float) { ++n; });
+                    ForSurfaceEdges(graph, sharpness, v, [&](Index, float) { ++n; });
                     const Sdc::RingWeights w = surface.Vertex(n);
                     row.Add(v, part.share * w.self);
-                    ForSurfaceEdges(level, sharpness, v,
+                    ForSurfaceEdges(graph, sharpness, v,
                                     [&](Index e, float) { row.Add(other_end(e), part.share * w.neighbor); });
                 }
             }

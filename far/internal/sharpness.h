@@ -9,26 +9,28 @@
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/sdc/creases.h>
 #include <solidsubdiv/sdc/schemes.h>
+#include <solidsubdiv/vtr/edge_graph.h>
 
 namespace SolidSubdiv::Far::Internal {
 
 /// The descriptor's creases and corners on the edges and vertices of level 0; what is on no surface is a defect.
 /// @pre indices and sharpnesses are in range
-Sharpness TakeSharpness(const TopologyDescriptor& descriptor, const Level& level, DefectList& defects);
+Sharpness TakeSharpness(const TopologyDescriptor& descriptor, const Vtr::EdgeGraph& graph, DefectList& defects);
 
 /// Calls body(e, sharpness) for the edges of the surface at v: those that end it are infinitely sharp.
 template <class Body>
-void ForSurfaceEdges(const Level& level, const Sharpness& sharpness, Index v, Body&& body) {
-    const bool in_cell = level.vertex_tags[v].in_cell();
-    for (Index e : level.vertex_edges[v]) {
-        const Vtr::Tag tag = level.edge_tags[e];
+void ForSurfaceEdges(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Index v, Body&& body) {
+    const bool in_cell = graph.vertex_tags[v].in_cell();
+    for (Index e : graph.vertex_edges[v]) {
+        const Vtr::Tag tag = graph.edge_tags[e];
         if (!tag.in_face() || tag.in_cell() != in_cell || tag.rule() == Vtr::Rule::Solid) continue;
         body(e, tag.rule() == Vtr::Rule::Surface ? sharpness.edges[e] : Sdc::kInfinitelySharp);
     }
 }
 
 /// Sharpness of the half at v of edge e. @pre !sharpness.empty()
-float ChildSharpness(const Level& level, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e, Index v);
+float ChildSharpness(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e,
+                     Index v);
 
 /// A scheme's options for creases; those without any take them as they are.
 template <class Scheme>
@@ -43,12 +45,12 @@ std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const S
 /// Rows of surface vertices and edges that sharpness changes: shares of two rules, the level's and its child's.
 class SharpRules {
   public:
-    SharpRules(const Level& level, const Sharpness& sharpness, Sdc::CreasingMethod method)
-        : level_(level), sharpness_(sharpness), method_(method) {}
+    SharpRules(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Sdc::CreasingMethod method)
+        : graph_(graph), sharpness_(sharpness), method_(method) {}
 
     bool ChangesEdge(Index e) const {
         return !sharpness_.empty() && Sdc::IsSharp(sharpness_.edges[e]) &&
-               level_.edge_tags[e].rule() == Vtr::Rule::Surface;
+               graph_.edge_tags[e].rule() == Vtr::Rule::Surface;
     }
     /// Whether an edge ends the surface on both sides, for ever.
     bool IsCrease(Index e) const { return ChangesEdge(e) && Sdc::IsInfinitelySharp(sharpness_.edges[e]); }
@@ -72,7 +74,7 @@ class SharpRules {
   private:
     bool HasSharpEdgeOrIsSharp(Index v) const;
 
-    const Level& level_;
+    const Vtr::EdgeGraph graph_;
     const Sharpness& sharpness_;
     Sdc::CreasingMethod method_;
 };

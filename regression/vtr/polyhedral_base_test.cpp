@@ -78,6 +78,10 @@ TEST(PolyhedralBase, FindsWhatIsWrong) {
     }
     EXPECT_EQ(findings_of(three).faces_in_three_cells.size(), 1u);
 
+    PolyhedralShape twice = TestShapes::HexBlock(1);
+    twice.hexes.insert(twice.hexes.end(), {0, 1, 3, 2, 4, 5, 7, 6});
+    EXPECT_EQ(findings_of(twice).duplicate_cells, std::vector<Index>{1});
+
     PolyhedralShape open;
     for (int i = 0; i < 5; ++i) open.AddVertex(i % 2, i / 2, i == 4);
     open.AddCell(std::vector<std::vector<Index>>{{0, 2, 3, 1}, {0, 1, 4}, {1, 3, 4}, {3, 2, 4}},

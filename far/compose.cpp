@@ -8,7 +8,7 @@
 #include <solidsubdiv/far/internal/row_buffer.h>
 #include <solidsubdiv/far/internal/row_maker.h>
 #include <solidsubdiv/far/internal/row_sum.h>
-#include <solidsubdiv/far/internal/rows.h>
+#include <solidsubdiv/far/internal/with_rows.h>
 
 namespace SolidSubdiv::Far::Internal {
 
@@ -76,7 +76,7 @@ class Composer {
     }
 
   private:
-    Index NVertices(int level) const { return refiner_.level(level).n_vertices; }
+    Index NVertices(int level) const { return refiner_.n_vertices(level); }
     Index NControl() const { return NVertices(0); }
     Wanted WantedOf(const CompositeRows& r) const {
         return r.vertices.empty() ? Wanted{NVertices(r.level), nullptr}
@@ -86,9 +86,7 @@ class Composer {
     /// Calls body with the rows of level l over level l - 1.
     template <class Body>
     void WithRows(int l, Body&& body) const {
-        std::visit(
-            [&](const auto& s) { body(Rows<std::decay_t<decltype(s)>>(refiner_.level(l - 1), sharpness_[l - 1], s)); },
-            scheme_);
+        Internal::WithRows(refiner_, l - 1, sharpness_[l - 1], scheme_, body);
     }
 
     void Check(const CompositeRows& r) const {

@@ -98,8 +98,8 @@ Sharpness TakeSharpness(const TopologyDescriptor& d, const Vtr::EdgeGraph& level
     return IsAnySharp(sharpness) ? sharpness : Sharpness{};
 }
 
-std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int n_levels) {
-    const Sdc::CreaseOptions options = std::visit([](const auto& s) { return CreaseOptionsOf(s); }, scheme);
+std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::CreaseOptions& options,
+                                         int n_levels) {
     std::vector<Sharpness> levels(static_cast<std::size_t>(std::max(n_levels, 1)));
     levels[0] = refiner.sharpness();
     if (options.sharp_corners || options.sharp_cells) {
@@ -115,6 +115,10 @@ std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const S
                            options.method);
     }
     return levels;
+}
+
+std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int n_levels) {
+    return SharpnessOfLevels(refiner, std::visit([](const auto& s) { return CreaseOptionsOf(s); }, scheme), n_levels);
 }
 
 double SharpRules::CreaseShare(Index e) const {
@@ -187,7 +191,9 @@ std::array<SharpRules::Part, 2> SharpRules::VertexParts(Index v) const {
 namespace SolidSubdiv::Far {
 
 Creases CreasesAt(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int level) {
-    const std::vector<Sharpness> levels = Internal::SharpnessOfLevels(refiner, scheme, level + 1);
+    Sdc::CreaseOptions options = std::visit([](const auto& s) { return Internal::CreaseOptionsOf(s); }, scheme);
+    options.sharp_cells = false;  // a solid's own: they are found again wherever it is refined on
+    const std::vector<Sharpness> levels = Internal::SharpnessOfLevels(refiner, options, level + 1);
     const Sharpness& sharpness = levels[static_cast<std::size_t>(level)];
     Creases creases;
     const auto add = [&](Index a, Index b, float s) {

@@ -7,6 +7,7 @@
 
 #include <solidsubdiv/far/internal/local_matrix.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
+#include <solidsubdiv/far/internal/with_rows.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far {
@@ -73,6 +74,9 @@ std::vector<MaskRow> LimitsOf(const Level& level, const Sharpness& sharpness, co
 LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                             const LimitStencilTableOptions& options) {
     Internal::CheckScheme(refiner, scheme);
+    if (refiner.is_polyhedral()) {
+        throw InvalidInput("limits are there for the tet/oct split only; refine once more instead");
+    }
     const int l = options.level < 0 ? refiner.max_level() : options.level;
     if (l > refiner.max_level() || !refiner.level(l).is_full) {
         throw InvalidInput("limits at level " + std::to_string(l) +
@@ -80,7 +84,8 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
     }
     const Level& level = refiner.level(l);
     const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, l + 1).back();
-    const std::vector<MaskRow> masks = std::visit([&](const auto& s) { return LimitsOf(level, sharpness, s); }, scheme);
+    std::vector<MaskRow> masks;
+    Internal::WithTetOctScheme(scheme, [&](const auto& s) { masks = LimitsOf(level, sharpness, s); });
 
     LimitStencilTable table;
     table.rows_.n_sources = level.n_vertices;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <solidsubdiv/far/internal/local_matrix.h>
+#include <solidsubdiv/far/internal/with_rows.h>
 
 namespace SolidSubdiv::Far {
 
@@ -30,13 +31,13 @@ double LargestDifference(const std::vector<double>& a, const std::vector<double>
 }  // namespace
 
 std::optional<LocalMatrix> MakeLocalMatrix(const Level& level, const Sdc::Scheme& scheme, Index vertex) {
-    return std::visit(
-        [&](const auto& s) {
-            const Sharpness smooth;
-            const Internal::Rows<std::decay_t<decltype(s)>> rows(level, smooth, s);
-            return Internal::MakeLocalMatrix(level, rows, vertex);
-        },
-        scheme);
+    std::optional<LocalMatrix> matrix;
+    Internal::WithTetOctScheme(scheme, [&]<class Scheme>(const Scheme& s) {
+        const Sharpness smooth;
+        const Internal::Rows<Scheme> rows(level, smooth, s);
+        matrix = Internal::MakeLocalMatrix(level, rows, vertex);
+    });
+    return matrix;
 }
 
 std::vector<double> LimitMaskOf(const LocalMatrix& m) {

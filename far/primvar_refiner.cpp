@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <solidsubdiv/far/internal/row_buffer.h>
-#include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
+#include <solidsubdiv/far/internal/with_rows.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far {
@@ -143,10 +143,20 @@ void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_l
         sum, destination, width);
 }
 
-template <class Real, class Scheme>
-void InterpolateLevel(const Level& parent, const Sharpness& sharpness, const Scheme& scheme, const Real* source,
-                      Real* destination, int width) {
-    const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
+template <class Real, class SumFunction>
+void InterpolateChildren(const Vtr::PolyhedralLevel&, const Internal::PolyhedralRows& of_level, const SumFunction& sum,
+                         const Real*, Real* destination, int width) {
+    const Internal::PolyhedralRows* const rows = &of_level;
+    InterpolateRows(
+        rows->n_children(), [](Index, auto&) { return false; }, [rows](Index v) { return rows->MaxLength(v); },
+        [rows](Index v, Index* indices, Real* weights, auto& scratch) {
+            return static_cast<int>(rows->Fill(v, indices, weights, scratch));
+        },
+        sum, destination, width);
+}
+
+template <class Real, class AnyLevel, class AnyRows>
+void InterpolateLevel(const AnyLevel& parent, const AnyRows& rows, const Real* source, Real* destination, int width) {
     if (width == 3) {
         const Array<Real> padded = PadToFour(source, parent.n_vertices);
         InterpolateChildren(parent, rows, SumThree<Real>(padded), source, destination, width);
@@ -169,19 +179,22 @@ void PrimvarRefiner::Interpolate(int level, std::span<const Real> source, std::s
         throw InvalidInput("values of level " + std::to_string(level) + " are asked for; levels are 1 to " +
                            std::to_string(refiner_.max_level()));
     }
-    const Level& parent = refiner_.level(level - 1);
     const auto require = [&](std::size_t size, Index n, const char* name) {
         if (width < 1 || size != static_cast<std::size_t>(n) * static_cast<std::size_t>(width)) {
             throw InvalidInput(std::string(name) + " has " + std::to_string(size) + " numbers; " + std::to_string(n) +
                                " vertices of width " + std::to_string(width) + " are needed");
         }
     };
-    require(source.size(), parent.n_vertices, "the source");
-    require(destination.size(), refiner_.level(level).n_vertices, "the destination");
+    require(source.size(), refiner_.n_vertices(level - 1), "the source");
+    require(destination.size(), refiner_.n_vertices(level), "the destination");
     const Sharpness sharpness = Internal::SharpnessOfLevels(refiner_, scheme_, level).back();
-    std::visit(
-        [&](const auto& s) { InterpolateLevel<Real>(parent, sharpness, s, source.data(), destination.data(), width); },
-        scheme_);
+    Internal::WithRows(refiner_, level - 1, sharpness, scheme_, [&]<class AnyRows>(const AnyRows& rows) {
+        if constexpr (std::is_same_v<AnyRows, Internal::PolyhedralRows>) {
+            InterpolateLevel(refiner_.polyhedral_level(level - 1), rows, source.data(), destination.data(), width);
+        } else {
+            InterpolateLevel(refiner_.level(level - 1), rows, source.data(), destination.data(), width);
+        }
+    });
 }
 
 template void PrimvarRefiner::Interpolate(int, std::span<const double>, std::span<double>, int) const;

@@ -6,8 +6,8 @@
 
 #include <solidsubdiv/far/internal/compose.h>
 #include <solidsubdiv/far/internal/row_maker.h>
-#include <solidsubdiv/far/internal/rows.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
+#include <solidsubdiv/far/internal/with_rows.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Far {
@@ -61,15 +61,22 @@ StencilRows<Real> MakeCountedRows(const Level& parent, const Internal::Rows<Sche
     return table;
 }
 
-template <class Real, class Scheme>
-StencilRows<Real> MakeRows(const Level& parent, const Sharpness& sharpness, const Scheme& scheme) {
-    const Internal::Rows<Scheme> rows(parent, sharpness, scheme);
-    if constexpr (Internal::Rows<Scheme>::kHasLengths) return MakeCountedRows<Real>(parent, rows);
-    return Internal::RowMaker<Real, Internal::RowScratch>(rows.n_children(), parent.n_vertices, {})
-        .Make([&](Index child) { return rows.MaxLength(child); },
-              [&](Index child, Internal::RowScratch& scratch, Index* indices, Real* weights) {
-                  return rows.Fill(child, indices, weights, scratch);
-              });
+template <class Real>
+StencilRows<Real> MakeRows(const TopologyRefiner& refiner, int parent, const Sharpness& sharpness,
+                           const Sdc::Scheme& scheme) {
+    StencilRows<Real> table;
+    Internal::WithRows(refiner, parent, sharpness, scheme, [&]<class Rows>(const Rows& rows) {
+        if constexpr (Rows::kHasLengths) {
+            table = MakeCountedRows<Real>(refiner.level(parent), rows);
+        } else {
+            table = Internal::RowMaker<Real, Internal::RowScratch>(rows.n_children(), refiner.n_vertices(parent), {})
+                        .Make([&](Index child) { return rows.MaxLength(child); },
+                              [&](Index child, Internal::RowScratch& scratch, Index* indices, Real* weights) {
+                                  return rows.Fill(child, indices, weights, scratch);
+                              });
+        }
+    });
+    return table;
 }
 
 }  // namespace
@@ -84,12 +91,11 @@ StencilTableReal<Real> StencilTableReal<Real>::Create(const TopologyRefiner& ref
                            " are asked for; the refiner's last level is " + std::to_string(refiner.max_level()));
     }
     StencilTableReal table;
-    table.n_control_vertices_ = refiner.level(0).n_vertices;
+    table.n_control_vertices_ = refiner.n_vertices(0);
     const std::vector<Sharpness> sharpness = Internal::SharpnessOfLevels(refiner, scheme, max_level);
     for (int i = 1; i <= max_level; ++i) {
         Report(options.progress, "stencils", static_cast<double>(i - 1) / max_level);
-        table.levels_.push_back(std::visit(
-            [&](const auto& s) { return MakeRows<Real>(refiner.level(i - 1), sharpness[i - 1], s); }, scheme));
+        table.levels_.push_back(MakeRows<Real>(refiner, i - 1, sharpness[i - 1], scheme));
     }
     Report(options.progress, "stencils", 1.0);
     return table;
@@ -108,7 +114,7 @@ StencilTableReal<Real> StencilTableReal<Real>::CreateComposite(const TopologyRef
         }
     }
     StencilTableReal table;
-    table.n_control_vertices_ = refiner.level(0).n_vertices;
+    table.n_control_vertices_ = refiner.n_vertices(0);
     table.levels_.push_back(Internal::Compose<Real>(refiner, scheme, requests, progress));
     return table;
 }

@@ -21,6 +21,12 @@ enum class CreasingMethod {
     Chaikin   ///< first averaged with the other sharp edges at the end vertex: creases whose sharpness varies smoothly
 };
 
+/// What becomes of an open surface's vertices that are in one face, and of a solid's edges and vertices in one cell.
+enum class Features {
+    Smooth,  ///< the border, the boundary runs through them (OpenSubdiv: EDGE_ONLY)
+    Sharp    ///< they are corners (EDGE_AND_CORNER), creases
+};
+
 /// What a scheme does with creases and corners.
 struct CreaseOptions {
     CreasingMethod method = CreasingMethod::Uniform;

@@ -97,6 +97,19 @@ void ModifiedButterfly::Validate() const {
     RequireRange(kName, kOptions[0], far_weight, std::abs(far_weight) <= 1.0 / 16.0, "from -1/16 to 1/16");
 }
 
+void CatmullClark::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, features);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, creasing);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, triangles);
+    UnknownOption(kName, name);
+}
+
+void CatmullClarkSolid::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, features);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, creasing);
+    UnknownOption(kName, name);
+}
+
 void Loop::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, features);

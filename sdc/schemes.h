@@ -8,8 +8,11 @@
 #include <type_traits>
 #include <variant>
 
+#include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/schemes/box_spline.h>
 #include <solidsubdiv/sdc/schemes/butterfly.h>
+#include <solidsubdiv/sdc/schemes/catmull_clark.h>
+#include <solidsubdiv/sdc/schemes/catmull_clark_solid.h>
 #include <solidsubdiv/sdc/schemes/interpolatory.h>
 #include <solidsubdiv/sdc/schemes/linear_solid.h>
 #include <solidsubdiv/sdc/schemes/linear_surface.h>
@@ -17,13 +20,28 @@
 
 /// Calls macro(Type) for every scheme.
 #define SOLIDSUBDIV_FOR_EACH_SCHEME(macro)                                                                         \
-    macro(BoxSpline) macro(Interpolatory) macro(LinearSolid) macro(Loop) macro(Butterfly) macro(ModifiedButterfly) \
-        macro(LinearSurface)
+    macro(BoxSpline) macro(Interpolatory) macro(CatmullClarkSolid) macro(LinearSolid) macro(Loop) macro(Butterfly) \
+        macro(ModifiedButterfly) macro(CatmullClark) macro(LinearSurface)
 
 namespace SolidSubdiv::Sdc {
 
 /// Any scheme with its options, for programs that choose at run time: std::visit gives the static type back.
-using Scheme = std::variant<BoxSpline, Interpolatory, LinearSolid, Loop, Butterfly, ModifiedButterfly, LinearSurface>;
+using Scheme = std::variant<BoxSpline, Interpolatory, CatmullClarkSolid, LinearSolid, Loop, Butterfly,
+                            ModifiedButterfly, CatmullClark, LinearSurface>;
+
+/// Whether a scheme refines what a split makes: the tet/oct split unless it says otherwise.
+template <class S>
+constexpr bool Takes(Split split) {
+    if (split == Split::Polyhedral) {
+        if constexpr (requires { S::kPolyhedral; }) return S::kPolyhedral;
+        return false;
+    }
+    if constexpr (requires { S::kTetOct; }) return S::kTetOct;
+    return true;
+}
+inline bool Takes(const Scheme& scheme, Split split) {
+    return std::visit([&]<class S>(const S&) { return Takes<S>(split); }, scheme);
+}
 
 /// Calls function(scheme) with a default-made scheme of every type in the list.
 template <class Function>

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <solidsubdiv/far/internal/rows.h>
+#include <solidsubdiv/far/internal/row_entries.h>
 
 namespace SolidSubdiv::Far::Internal {
 
@@ -17,8 +17,8 @@ struct RowBuffer {
     std::size_t n = 0;
     RowScratch scratch;
 
-    template <class Scheme>
-    void Read(const Rows<Scheme>& rows, Index child) {
+    template <class AnyRows>
+    void Read(const AnyRows& rows, Index child) {
         const std::size_t room = rows.MaxLength(child);
         if (indices.size() < room) {
             indices.resize(2 * room);

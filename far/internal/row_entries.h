@@ -12,8 +12,8 @@ namespace SolidSubdiv::Far::Internal {
 
 /// Room that a thread needs while it fills rows, one after another.
 struct RowScratch {
-    std::vector<std::uint32_t>
-        notes;  ///< of each vertex of the level, whatever they are; used by rows of two-neighbours
+    std::vector<std::uint32_t> notes;  ///< of each vertex of the level, whatever rows keep there
+    std::vector<double> sums;          ///< of a row
 };
 
 /// Takes in weights of vertices, in room that somebody else has. A vertex that comes again adds to its weight.

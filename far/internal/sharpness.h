@@ -17,15 +17,21 @@ namespace SolidSubdiv::Far::Internal {
 /// @pre indices and sharpnesses are in range
 Sharpness TakeSharpness(const TopologyDescriptor& descriptor, const Vtr::EdgeGraph& graph, DefectList& defects);
 
-/// Calls body(e, sharpness) for the edges of the surface at v: those that end it are infinitely sharp.
+/// Calls body(e) for the edges of the surface at v.
 template <class Body>
-void ForSurfaceEdges(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Index v, Body&& body) {
+void ForSurfaceEdges(const Vtr::EdgeGraph& graph, Index v, Body&& body) {
     const bool in_cell = graph.vertex_tags[v].in_cell();
     for (Index e : graph.vertex_edges[v]) {
         const Vtr::Tag tag = graph.edge_tags[e];
-        if (!tag.in_face() || tag.in_cell() != in_cell || tag.rule() == Vtr::Rule::Solid) continue;
-        body(e, tag.rule() == Vtr::Rule::Surface ? sharpness.edges[e] : Sdc::kInfinitelySharp);
+        if (tag.in_face() && tag.in_cell() == in_cell && tag.rule() != Vtr::Rule::Solid) body(e);
     }
+}
+/// The same with body(e, sharpness): edges that end the surface are infinitely sharp. @pre !sharpness.empty()
+template <class Body>
+void ForSurfaceEdges(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Index v, Body&& body) {
+    ForSurfaceEdges(graph, v, [&](Index e) {
+        body(e, graph.edge_tags[e].rule() == Vtr::Rule::Surface ? sharpness.edges[e] : Sdc::kInfinitelySharp);
+    });
 }
 
 /// Sharpness of the half at v of edge e. @pre !sharpness.empty()
@@ -39,7 +45,9 @@ Sdc::CreaseOptions CreaseOptionsOf(const Scheme& scheme) {
     return {};
 }
 
-/// Sharpness of the levels 0 to n_levels - 1 under a scheme.
+/// Sharpness of the levels 0 to n_levels - 1 under a scheme, or under its options.
+std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::CreaseOptions& options,
+                                         int n_levels);
 std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int n_levels);
 
 /// Rows of surface vertices and edges that sharpness changes: shares of two rules, the level's and its child's.

@@ -38,9 +38,10 @@ inline std::vector<std::string> ValuesOf(const Sdc::OptionInfo& option) {
 }
 
 /// Every scheme with every combination of options that it accepts.
-inline std::vector<std::pair<std::string, Sdc::Scheme>> AllSchemes() {
+inline std::vector<std::pair<std::string, Sdc::Scheme>> AllSchemes(Sdc::Split split = Sdc::Split::TetOct) {
     std::vector<std::pair<std::string, Sdc::Scheme>> all;
     Sdc::ForEachScheme([&](auto scheme) {
+        if (!Sdc::Takes(scheme, split)) return;
         std::vector<std::pair<std::string, decltype(scheme)>> variants{{std::string(scheme.kName), scheme}};
         for (const Sdc::OptionInfo& option : scheme.kOptions) {
             const auto before = variants;

@@ -101,6 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
         refiner.RefineUniform({.max_level = levels, .full_topology_in_last_level = true});
         Sdc::ForEachScheme([&](auto scheme) {
+            if (!Sdc::Takes(scheme, Sdc::Split::TetOct)) return;
             if (!scheme.kSolids && refiner.level(0).n_cells() > 0) return;
             try {
                 CheckTable(Far::StencilTable::Create(refiner, scheme));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The linear tet/oct scheme: vertices stay, every new point is the mean of its parent's vertices.
+// The linear scheme for solids of any cells: vertices stay, every new point is the mean of its parent's vertices.
 //
-// Source: MacCracken and Joy's octree rule for lattices as in rules.md section 4, on tets and octs.
+// Source: MacCracken and Joy's octree rule for lattices (maccracken1996) as in rules.md section 4, by either split.
 #pragma once
 
 #include <array>
@@ -9,14 +9,16 @@
 
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/options.h>
+#include <solidsubdiv/sdc/polyhedral_masks.h>
 
 namespace SolidSubdiv::Sdc {
 
 struct LinearSolid {
     static constexpr std::string_view kName = "linear-solid";
-    static constexpr std::string_view kSummary = "linear tet/oct solids: a finer mesh of the same shape";
+    static constexpr std::string_view kSummary = "linear solids of any cells: a finer mesh of the same shape";
     static constexpr bool kSolids = true;
     static constexpr bool kVerticesStay = true;
+    static constexpr bool kTetOct = true, kPolyhedral = true;
     static constexpr std::array<OptionInfo, 0> kOptions{};
 
     void SetOption(std::string_view name, std::string_view value);
@@ -26,6 +28,7 @@ struct LinearSolid {
     VertexWeights Vertex(VertexCounts) const { return {1.0, 0.0, 0.0}; }
     EdgeWeights Edge(EdgeCounts) const { return {0.5, 0.0, 0.0}; }
     OctWeights Centre() const { return {1.0 / 6.0, 1.0 / 6.0}; }
+    PolyhedralRules polyhedral() const { return {.is_linear = true}; }
     LinearRule surface() const { return {}; }
     LinearRule curve() const { return {}; }
 };

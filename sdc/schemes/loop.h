@@ -13,12 +13,6 @@
 
 namespace SolidSubdiv::Sdc {
 
-/// What becomes of an open surface's vertices that are in one triangle.
-enum class Features {
-    Smooth,  ///< the border runs through them (OpenSubdiv: EDGE_ONLY)
-    Sharp    ///< they are corners (EDGE_AND_CORNER)
-};
-
 struct Loop {
     LoopWeights loop_weights = LoopWeights::Loop;
     Features features = Features::Smooth;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of one refinement by the polyhedral split: for each child vertex, which parent vertices with which weights.
+//
+// Rules speak of centroids of cells, faces and edges around a place; a row sums the vertices that these are means of.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <span>
+
+#include <solidsubdiv/far/internal/row_entries.h>
+#include <solidsubdiv/far/internal/sharpness.h>
+#include <solidsubdiv/sdc/masks.h>
+#include <solidsubdiv/sdc/polyhedral_masks.h>
+#include <solidsubdiv/vtr/polyhedral_level.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+/// A row being summed from vertices and means of vertices; each vertex has one entry.
+class CentroidRow {
+  public:
+    /// @param scratch has notes of all vertices and room for the row's sums
+    CentroidRow(Index* indices, RowScratch& scratch)
+        : indices_(indices), notes_(scratch.notes.data()), sums_(scratch.sums.data()) {}
+
+    void Add(Index v, double weight) {
+        const std::uint32_t noted = notes_[v];
+        if (noted < n_ && indices_[noted] == v) {
+            sums_[noted] += weight;
+        } else {
+            notes_[v] = n_;
+            indices_[n_] = v;
+            sums_[n_++] = weight;
+        }
+    }
+    void AddMean(std::span<const Index> vertices, double weight) {
+        const double share = weight / static_cast<double>(vertices.size());
+        for (Index v : vertices) Add(v, share);
+    }
+    int size() const { return static_cast<int>(n_); }
+    double operator[](int i) const { return sums_[i]; }
+
+  private:
+    Index* indices_;
+    std::uint32_t* notes_;
+    double* sums_;
+    std::uint32_t n_ = 0;
+};
+
+class PolyhedralRows {
+  public:
+    /// @param sharpness the parent's
+    PolyhedralRows(const Vtr::PolyhedralLevel& parent, const Sharpness& sharpness, const Sdc::PolyhedralRules& rules,
+                   Sdc::CreasingMethod creasing)
+        : level_(parent), graph_(parent), sharp_(graph_, sharpness, creasing), rules_(rules) {
+        assert(parent.is_full);
+    }
+
+    static constexpr bool kHasLengths = false;
+
+    /// Rows by child vertex, in the child's numbering (vtr/polyhedral_refinement.h).
+    Index n_children() const {
+        return level_.n_vertices + level_.n_edges + level_.n_faces + static_cast<Index>(level_.n_cells());
+    }
+
+    /// At least the number of entries of a row.
+    std::size_t MaxLength(Index child) const {
+        const auto [kind, i] = Locate(child);
+        std::size_t n = 2;
+        const auto add_cell = [&](Index c) {
+            if (c != kNoIndex) n += level_.CellVertices(c).size();
+        };
+        const auto add_faces = [&](Index e) {
+            for (Index f : level_.edge_faces[e]) n += level_.FaceVertices(f).size();
+        };
+        switch (kind) {
+            case Kind::Vertex:
+                for (Index c : level_.vertex_cells[i]) add_cell(c);
+                for (Index e : level_.vertex_edges[i]) {
+                    ++n;
+                    add_faces(e);
+                }
+                break;
+            case Kind::Edge:
+                add_faces(i);
+                for (Index f : level_.edge_faces[i]) {
+                    for (Index c : level_.FaceCells(f)) add_cell(c);
+                }
+                break;
+            case Kind::Face:
+                n += level_.FaceVertices(i).size();
+                for (Index c : level_.FaceCells(i)) add_cell(c);
+                break;
+            case Kind::Cell:
+                add_cell(i);
+        }
+        return n;
+    }
+
+    /// Fills the row and returns its length: the parent vertex or vertices first. Room for MaxLength(child) is needed.
+    template <class Real>
+    std::size_t Fill(Index child, Index* indices, Real* weights, RowScratch& scratch) const {
+        const auto [kind, i] = Locate(child);
+        if (scratch.notes.size() < static_cast<std::size_t>(level_.n_vertices)) {
+            scratch.notes.resize(static_cast<std::size_t>(level_.n_vertices));
+        }
+        if (const std::size_t room = MaxLength(child); scratch.sums.size() < room) scratch.sums.resize(2 * room);
+        CentroidRow row(indices, scratch);
+        switch (kind) {
+            case Kind::Vertex:
+                AddVertex(i, row);
+                break;
+            case Kind::Edge:
+                AddEdge(i, row);
+                break;
+            case Kind::Face:
+                AddFace(i, row);
+                break;
+            case Kind::Cell:
+                row.AddMean(level_.CellVertices(i), 1);
+        }
+        for (int k = 0; k < row.size(); ++k) weights[k] = static_cast<Real>(row[k]);
+        return static_cast<std::size_t>(row.size());
+    }
+
+  private:
+    enum class Kind { Vertex, Edge, Face, Cell };
+    struct Place {
+        Kind kind;
+        Index i;  ///< among the parent's components of that kind
+    };
+    Place Locate(Index child) const {
+        if (child < level_.n_vertices) return {Kind::Vertex, child};
+        child -= level_.n_vertices;
+        if (child < level_.n_edges) return {Kind::Edge, child};
+        child -= level_.n_edges;
+        if (child < level_.n_faces) return {Kind::Face, child};
+        return {Kind::Cell, child - level_.n_faces};
+    }
+
+    void AddFace(Index f, CentroidRow& row) const {
+        const auto cells = level_.FaceCells(f);
+        if (rules_.is_linear || level_.IsBoundary(f)) return row.AddMean(level_.FaceVertices(f), 1);
+        const auto w = Sdc::PolyhedralRules::SolidFace();
+        row.AddMean(level_.FaceVertices(f), w.face);
+        for (Index c : cells) row.AddMean(level_.CellVertices(c), w.cell);
+    }
+
+    void AddEdge(Index e, CentroidRow& row) const {
+        const auto ends = level_.EdgeVertices(e);
+        const Vtr::Rule rule = level_.edge_tags[e].rule();
+        if (rules_.is_linear || rule == Vtr::Rule::Curve) return row.AddMean(ends, 1);
+        if (rule == Vtr::Rule::Solid) {
+            int n = 0;
+            for (Index f : level_.edge_faces[e]) n += level_.NCells(f) == 2;
+            const auto w = Sdc::PolyhedralRules::SolidEdgeOf(n);
+            row.AddMean(ends, w.middle);
+            for (Index f : level_.edge_faces[e]) {
+                if (level_.NCells(f) != 2) continue;
+                row.AddMean(level_.FaceVertices(f), w.face);
+                // Each cell at the edge has two faces there.
+                for (Index c : level_.FaceCells(f)) row.AddMean(level_.CellVertices(c), w.cell / 2);
+            }
+            return;
+        }
+        const double crease = sharp_.ChangesEdge(e) ? sharp_.CreaseShare(e) : 0, smooth = 1 - crease;
+        Index faces[2] = {kNoIndex, kNoIndex};
+        for (Index f : level_.edge_faces[e]) {
+            if (level_.IsBoundary(f)) (faces[0] == kNoIndex ? faces[0] : faces[1]) = f;
+        }
+        const auto is_triangle = [&](Index f) { return level_.FaceVertices(f).size() == 3; };
+        const auto w = rules_.SurfaceEdgeOf(is_triangle(faces[0]), is_triangle(faces[1]));
+        for (Index v : ends) row.Add(v, 0.5 * crease + w.end * smooth);
+        if (smooth == 0) return;
+        for (Index f : faces) row.AddMean(level_.FaceVertices(f), w.face * smooth);
+    }
+
+    void AddVertex(Index v, CentroidRow& row) const {
+        const Vtr::Tag tag = level_.vertex_tags[v];
+        if (rules_.is_linear || tag.rule() == Vtr::Rule::Corner) return row.Add(v, 1);
+        if (tag.rule() == Vtr::Rule::Solid) return AddSolidVertex(v, row);
+        if (!sharp_.ChangesVertex(v)) {
+            if (tag.rule() == Vtr::Rule::Surface) return AddSurfaceVertex(v, 1, row);
+            return AddCurveVertex(v, row);
+        }
+        for (const SharpRules::Part& part : sharp_.VertexParts(v)) {
+            if (part.share == 0) continue;
+            if (part.rule == Sdc::SharpRule::Corner) {
+                row.Add(v, part.share);
+            } else if (part.rule == Sdc::SharpRule::Crease) {
+                row.Add(v, 0.75 * part.share);
+                for (Index e : part.crease) row.Add(level_.OtherEnd(e, v), 0.125 * part.share);
+            } else {
+                AddSurfaceVertex(v, part.share, row);
+            }
+        }
+    }
+
+    void AddSolidVertex(Index v, CentroidRow& row) const {
+        const auto w = Sdc::PolyhedralRules::SolidVertexRule();
+        const auto cells = level_.vertex_cells[v];
+        int n_edges = 0, n_sides = 0;  // each face at v has two edges there
+        for (Index e : level_.vertex_edges[v]) {
+            if (!level_.edge_tags[e].in_cell()) continue;
+            ++n_edges;
+            for (Index f : level_.edge_faces[e]) n_sides += level_.NCells(f) > 0;
+        }
+        row.Add(v, w.self + w.middle / 2);
+        for (Index e : level_.vertex_edges[v]) {
+            if (!level_.edge_tags[e].in_cell()) continue;
+            row.Add(level_.OtherEnd(e, v), w.middle / 2 / n_edges);
+            for (Index f : level_.edge_faces[e]) {
+                if (level_.NCells(f) > 0) row.AddMean(level_.FaceVertices(f), w.face / n_sides);
+            }
+        }
+        for (Index c : cells) row.AddMean(level_.CellVertices(c), w.cell / static_cast<double>(cells.size()));
+    }
+
+    /// From the edges and faces of the surface at v alone.
+    void AddSurfaceVertex(Index v, double share, CentroidRow& row) const {
+        const int n_cells = level_.vertex_tags[v].in_cell() ? 1 : 0;  // of the faces; others are sheets that end here
+        int n = 0;
+        ForSurfaceEdges(graph_, v, [&](Index) { ++n; });
+        const auto w = Sdc::PolyhedralRules::SurfaceVertexOf(n);
+        row.Add(v, share * w.self);
+        ForSurfaceEdges(graph_, v, [&](Index e) {
+            row.Add(level_.OtherEnd(e, v), share * w.neighbor);
+            for (Index f : level_.edge_faces[e]) {
+                // Each face at v has two edges there.
+                if (level_.NCells(f) == n_cells) row.AddMean(level_.FaceVertices(f), share * w.face / 2);
+            }
+        });
+    }
+
+    void AddCurveVertex(Index v, CentroidRow& row) const {
+        const Vtr::Tag tag = level_.vertex_tags[v];
+        row.Add(v, 0.75);
+        double left = 0.25;
+        for (Index e : level_.vertex_edges[v]) {
+            const Vtr::Tag edge = level_.edge_tags[e];
+            const bool in_part = (!tag.in_cell() || edge.in_cell()) && (!tag.in_face() || edge.in_face());
+            if (!in_part || edge.rule() != Vtr::Rule::Curve) continue;
+            row.Add(level_.OtherEnd(e, v), 0.125);
+            left -= 0.125;
+        }
+        if (left != 0) row.Add(v, left);
+    }
+
+    const Vtr::PolyhedralLevel& level_;
+    const Vtr::EdgeGraph graph_;
+    const SharpRules sharp_;
+    const Sdc::PolyhedralRules rules_;
+};
+
+}  // namespace SolidSubdiv::Far::Internal

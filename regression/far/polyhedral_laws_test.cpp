@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws of the schemes of the polyhedral split on cells and faces of every kind.
+#include <array>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <solidsubdiv/far/primvar_refiner.h>
+#include <solidsubdiv/far/stencil_table.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+#include "far/far_testing.h"
+#include "polyhedral_shapes.h"
+
+namespace SolidSubdiv {
+namespace {
+
+using Far::TopologyDescriptor;
+using Far::TopologyRefiner;
+using TestShapes::PolyhedralShape;
+
+TopologyDescriptor Describe(const PolyhedralShape& s) {
+    TopologyDescriptor d{.n_vertices = s.n_vertices};
+    d.hexes = s.hexes;
+    d.polyhedron_offsets = s.cell_offsets;
+    d.polyhedron_face_offsets = s.face_offsets;
+    d.polyhedron_vertices = s.face_vertices;
+    d.polygon_offsets = s.polygon_offsets;
+    d.polygon_vertices = s.polygon_vertices;
+    d.edges = s.edges;
+    return d;
+}
+
+struct Named {
+    std::string name;
+    PolyhedralShape shape;
+};
+std::vector<Named> Shapes() {
+    return {{"block", TestShapes::HexBlock(3)},
+            {"mixed", TestShapes::MixedCells()},
+            {"touching", TestShapes::TouchingCubes()},
+            {"sheets", TestShapes::CubeWithSheets()}};
+}
+
+TEST(PolyhedralLaws, RowsSumToOneAndNameNoVertexTwice) {
+    for (const auto& [name, shape] : Shapes()) {
+        auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+        refiner.RefineUniform({.max_level = 2});
+        for (const auto& [scheme_name, scheme] : TestFar::AllSchemes(Sdc::Split::Polyhedral)) {
+            if (!std::visit([](const auto& s) { return s.kSolids; }, scheme)) continue;
+            const auto table = Far::StencilTable::Create(refiner, scheme);
+            for (int l = 1; l <= 2; ++l) {
+                const auto& rows = table.level(l);
+                ASSERT_EQ(rows.n_rows(), refiner.n_vertices(l));
+                for (Index i = 0; i < rows.n_rows(); ++i) {
+                    double sum = 0;
+                    std::set<Index> seen;
+                    for (double w : rows.Weights(i)) sum += w;
+                    for (Index v : rows.Indices(i)) EXPECT_TRUE(seen.insert(v).second) << name;
+                    ASSERT_NEAR(sum, 1, 1e-14) << name << ", " << scheme_name << ", row " << i;
+                }
+            }
+        }
+    }
+}
+
+TEST(PolyhedralLaws, LinearFunctionsOfRegularBlocksAreKeptInside) {
+    // Wherever a cube's neighbourhood is regular: every point is the mean that its numbering says.
+    const PolyhedralShape shape = TestShapes::HexBlock(3);
+    auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+    refiner.RefineUniform({.max_level = 1});
+    std::vector<double> fine(3 * static_cast<std::size_t>(refiner.n_vertices(1))), linear = fine;
+    for (const Sdc::Scheme& scheme : {Sdc::Scheme(Sdc::CatmullClarkSolid{}), Sdc::Scheme(Sdc::LinearSolid{})}) {
+        auto& out = std::holds_alternative<Sdc::LinearSolid>(scheme) ? linear : fine;
+        Far::PrimvarRefiner(refiner, scheme).Interpolate<double>(1, shape.positions, out, 3);
+    }
+    // Sharp edges and corners keep the block a block, and inside cubic B-splines reproduce linear functions.
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        const double x = linear[i];
+        EXPECT_NEAR(fine[i], x < 0.25 || x > 2.75 || (x > 0.75 && x < 2.25) ? x : fine[i], 1e-15) << i;
+        EXPECT_LE(fine[i], 3);
+        EXPECT_GE(fine[i], 0);
+    }
+}
+
+/// Weights of cubic B-splines at a vertex and in a middle.
+std::map<int, double> Cubic(bool is_middle) {
+    if (is_middle) return {{0, 0.5}, {1, 0.5}};
+    return {{-1, 0.125}, {0, 0.75}, {1, 0.125}};
+}
+
+TEST(PolyhedralLaws, InsideARegularBlockRowsAreTensorProducts) {
+    const PolyhedralShape shape = TestShapes::HexBlock(4);
+    auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+    refiner.RefineUniform({.max_level = 1});
+    std::vector<double> places(3 * static_cast<std::size_t>(refiner.n_vertices(1)));
+    Far::PrimvarRefiner(refiner, Sdc::LinearSolid{}).Interpolate<double>(1, shape.positions, places, 3);
+    const auto table = Far::StencilTable::Create(refiner, Sdc::CatmullClarkSolid{});
+    int n_checked = 0;
+    for (Index i = 0; i < refiner.n_vertices(1); ++i) {
+        const double* const p = places.data() + 3 * static_cast<std::size_t>(i);
+        const auto is_inside = [&](double x) { return x > 0.75 && x < 3.25; };
+        if (!is_inside(p[0]) || !is_inside(p[1]) || !is_inside(p[2])) continue;
+        std::map<Index, double> expected;
+        const auto weights = [&](int axis) { return Cubic(p[axis] != std::floor(p[axis])); };
+        const auto base = [&](int axis) { return static_cast<int>(std::floor(p[axis])); };
+        for (auto [x, wx] : weights(0)) {
+            for (auto [y, wy] : weights(1)) {
+                for (auto [z, wz] : weights(2)) {
+                    expected[base(0) + x + 5 * (base(1) + y + 5 * (base(2) + z))] = wx * wy * wz;
+                }
+            }
+        }
+        const auto indices = table.level(1).Indices(i);
+        const auto row = table.level(1).Weights(i);
+        ASSERT_EQ(indices.size(), expected.size()) << i;
+        for (std::size_t k = 0; k < row.size(); ++k) EXPECT_NEAR(row[k], expected[indices[k]], 1e-16) << i;
+        ++n_checked;
+    }
+    EXPECT_EQ(n_checked, 5 * 5 * 5);
+}
+
+TEST(PolyhedralLaws, TheBoundaryOfASolidIsTheSurfaceOfItsBoundary) {
+    PolyhedralShape shape = TestShapes::HexBlock(3, 3, 2, [](int x, int y, int z) { return z == 0 || x + y < 3; });
+    for (double& x : shape.positions) x += 0.1 * std::sin(7 * x + 3 * static_cast<double>(&x - shape.positions.data()));
+    for (const Sdc::Features features : {Sdc::Features::Smooth, Sdc::Features::Sharp}) {
+        auto solid = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+        solid.RefineUniform({.max_level = 2});
+        // The boundary by itself, over the same vertices; what is in one cell of the solid is sharp.
+        const Vtr::PolyhedralLevel& base = solid.polyhedral_level(0);
+        PolyhedralShape boundary;
+        boundary.n_vertices = shape.n_vertices;
+        for (Index b = 0; b < base.n_boundary_faces; ++b) {
+            const auto v = base.BoundaryVertices(b);
+            boundary.polygon_vertices.insert(boundary.polygon_vertices.end(), v.begin(), v.end());
+            boundary.polygon_offsets.push_back(static_cast<Offset>(boundary.polygon_vertices.size()));
+        }
+        std::vector<Index> creases, corners;
+        if (features == Sdc::Features::Sharp) {
+            for (Index e = 0; e < base.n_edges; ++e) {
+                if (!base.edge_tags[e].one_cell()) continue;
+                for (Index v : base.EdgeVertices(e)) creases.push_back(v);
+            }
+            for (Index v = 0; v < base.n_vertices; ++v) {
+                if (base.vertex_tags[v].one_cell()) corners.push_back(v);
+            }
+        }
+        const std::vector<float> edge_sharpness(creases.size() / 2, 10.0f), vertex_sharpness(corners.size(), 10.0f);
+        TopologyDescriptor d = Describe(boundary);
+        d.crease_edges = creases, d.crease_sharpness = edge_sharpness;
+        d.corner_vertices = corners, d.corner_sharpness = vertex_sharpness;
+        auto surface = TopologyRefiner::Create(d, Sdc::Split::Polyhedral);
+        surface.RefineUniform({.max_level = 2});
+        const auto refine = [&](const TopologyRefiner& refiner, const Sdc::Scheme& scheme) {
+            std::vector<double> values = shape.positions;
+            for (int l = 1; l <= 2; ++l) {
+                std::vector<double> fine(3 * static_cast<std::size_t>(refiner.n_vertices(l)));
+                Far::PrimvarRefiner(refiner, scheme).Interpolate<double>(l, values, fine, 3);
+                values = fine;
+            }
+            return values;
+        };
+        const auto a = refine(solid, Sdc::CatmullClarkSolid{.features = features}),
+                   b = refine(surface, Sdc::CatmullClark{});
+        // Both list the children of boundary faces in the same order.
+        const Vtr::PolyhedralLevel &fa = solid.polyhedral_level(2), &fb = surface.polyhedral_level(2);
+        ASSERT_EQ(fa.n_boundary_faces, fb.n_boundary_faces);
+        for (std::size_t i = 0; i < fa.boundary_vertices.size(); ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                ASSERT_NEAR(a[3 * static_cast<std::size_t>(fa.boundary_vertices[i]) + static_cast<std::size_t>(axis)],
+                            b[3 * static_cast<std::size_t>(fb.boundary_vertices[i]) + static_cast<std::size_t>(axis)],
+                            1e-14)
+                    << i;
+            }
+        }
+    }
+}
+
+TEST(PolyhedralLaws, ComposedRowsAreTheProductsAndThreadsChangeNothing) {
+    const PolyhedralShape shape = TestShapes::MixedCells();
+    auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+    refiner.RefineUniform({.max_level = 2});
+    const Sdc::Scheme scheme = Sdc::CatmullClarkSolid{};
+    std::vector<double> values = shape.positions;
+    for (int l = 1; l <= 2; ++l) {
+        std::vector<double> fine(3 * static_cast<std::size_t>(refiner.n_vertices(l)));
+        Far::PrimvarRefiner(refiner, scheme).Interpolate<double>(l, values, fine, 3);
+        values = fine;
+    }
+    const auto composite = Far::StencilTable::CreateComposite(refiner, scheme, {{.level = 2, .vertices = {}}});
+    for (Index i = 0; i < refiner.n_vertices(2); ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double sum = 0;
+            for (std::size_t k = 0; k < composite.level(1).Indices(i).size(); ++k) {
+                sum += composite.level(1).Weights(i)[k] *
+                       shape.positions[3 * static_cast<std::size_t>(composite.level(1).Indices(i)[k]) + axis];
+            }
+            ASSERT_NEAR(sum, values[3 * static_cast<std::size_t>(i) + axis], 1e-14);
+        }
+    }
+    const auto rows_with = [&](int n_threads) {
+        const Sdc::ThreadLimit limit(n_threads);
+        return Far::StencilTable::Create(refiner, scheme);
+    };
+    EXPECT_EQ(rows_with(1).level(2).weights, rows_with(4).level(2).weights);
+    EXPECT_EQ(rows_with(1).level(2).indices, rows_with(4).level(2).indices);
+}
+
+TEST(PolyhedralLaws, SchemesOfTheOtherSplitAreRefused) {
+    const PolyhedralShape shape = TestShapes::HexBlock(1);
+    const auto polyhedral = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+    EXPECT_THROW(Far::StencilTable::Create(polyhedral, Sdc::BoxSpline{}), InvalidInput);
+    EXPECT_THROW(Far::StencilTable::Create(polyhedral, Sdc::CatmullClark{}), InvalidInput) << "cells";
+    const auto tet = TestShapes::SingleTet();
+    const auto tet_oct = TopologyRefiner::Create(TestFar::Describe(tet), Sdc::Split::TetOct);
+    EXPECT_THROW(Far::StencilTable::Create(tet_oct, Sdc::CatmullClarkSolid{}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace SolidSubdiv

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules of the schemes of the polyhedral split: sums of centroids around a vertex, an edge or a face.
+//
+// A centroid is the mean of the vertices. Source: rules.md section 4 (MacCracken and Joy 1996, maccracken1996; its
+// boundary Catmull and Clark 1978, catmull1978).
+#pragma once
+
+namespace SolidSubdiv::Sdc {
+
+/// How new points on edges of triangles are weighed on Catmull-Clark surfaces.
+enum class TriangleWeights {
+    CatmullClark,  ///< as on edges of any polygon
+    Smooth         ///< OpenSubdiv's TRI_SUB_SMOOTH
+};
+
+struct PolyhedralRules {
+    bool is_linear = false;  ///< every new point is the centroid of what it lies in
+    TriangleWeights triangles = TriangleWeights::CatmullClark;
+
+    /// Inside a solid, in the face: face * its centroid + cell * (C0 + C1)
+    struct Face {
+        double face, cell;
+    };
+    static Face SolidFace() { return {1.0 / 2.0, 1.0 / 4.0}; }
+
+    /// Inside a solid, on an edge of n faces: middle * the edge's + face * sum of centroids of faces + cell * of cells
+    struct SolidEdge {
+        double middle, face, cell;
+    };
+    static SolidEdge SolidEdgeOf(int n) { return {(n - 3.0) / n, 2.0 / n / n, 1.0 / n / n}; }
+
+    /// Inside a solid: self + middle * mean of the edges' middles + face * mean of faces' centroids + cell * of cells'
+    struct SolidVertex {
+        double self, middle, face, cell;
+    };
+    static SolidVertex SolidVertexRule() { return {1.0 / 8.0, 3.0 / 8.0, 3.0 / 8.0, 1.0 / 8.0}; }
+
+    /// On a surface, on an edge between two faces: each end, each centroid.
+    struct SurfaceEdge {
+        double end, face;
+    };
+    SurfaceEdge SurfaceEdgeOf(bool first_is_triangle, bool second_is_triangle) const {
+        constexpr double kSmooth = 0.470;  // OpenSubdiv's
+        const bool is_smooth = triangles == TriangleWeights::Smooth;
+        const double first = is_smooth && first_is_triangle ? kSmooth : 0.25,
+                     second = is_smooth && second_is_triangle ? kSmooth : 0.25;
+        const double face = 0.5 * (first + second);
+        return {0.5 * (1.0 - 2.0 * face), face};
+    }
+
+    /// On a surface, at a vertex of n edges: self + neighbor * sum of the other ends + face * sum of centroids
+    struct SurfaceVertex {
+        double self, neighbor, face;
+    };
+    static SurfaceVertex SurfaceVertexOf(int n) {
+        const double share = 1.0 / (static_cast<double>(n) * n);
+        return {(n - 2.0) / n, share, share};
+    }
+};
+
+}  // namespace SolidSubdiv::Sdc

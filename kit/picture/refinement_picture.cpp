@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace SolidSubdiv::Picture {
 namespace {
@@ -27,16 +29,34 @@ std::vector<Index> VisibleTriangles(const Io::Mesh& mesh) {
     return triangles;
 }
 
+/// Edges, as pairs of ends, that are in both lists.
+std::vector<Index> CommonEdges(const std::vector<Index>& a, const std::vector<Index>& b) {
+    using Pair = std::pair<Index, Index>;
+    const auto pairs = [](const std::vector<Index>& ends) {
+        std::vector<Pair> sorted;
+        for (std::size_t i = 0; i < ends.size(); i += 2) sorted.push_back(std::minmax(ends[i], ends[i + 1]));
+        std::sort(sorted.begin(), sorted.end());
+        return sorted;
+    };
+    const auto first = pairs(a), second = pairs(b);
+    std::vector<Pair> common;
+    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(common));
+    std::vector<Index> edges;
+    for (const auto& [low, high] : common) edges.insert(edges.end(), {low, high});
+    return edges;
+}
+
 /// The edges that are seen of a mesh from outside.
 std::vector<Index> VisibleEdges(const Io::Mesh& mesh, const std::vector<Index>& triangles) {
-    Io::Topology seen;
     if (mesh.topology.n_cells() > 0) {
-        seen.triangles = triangles;  // of a quadrilateral's diagonal too: solids of hexes are shown as such rarely
-    } else {
-        seen.triangles = mesh.topology.triangles;
-        seen.quads = mesh.topology.quads;
-        seen.edges = mesh.topology.edges;
+        Io::Topology skin;
+        skin.triangles = triangles;
+        return CommonEdges(ElementEdges(skin), ElementEdges(mesh.topology));  // not the diagonals of quadrilaterals
     }
+    Io::Topology seen;
+    seen.triangles = mesh.topology.triangles;
+    seen.quads = mesh.topology.quads;
+    seen.edges = mesh.topology.edges;
     return ElementEdges(seen);
 }
 

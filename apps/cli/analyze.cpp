@@ -29,7 +29,7 @@ Json EigenvaluesOf(const Analysis::Spectrum& spectrum) {
 }
 
 void RunAnalyze(Session& session, const AnalyzeOptions& options) {
-    const Sdc::Scheme scheme = MakeScheme(options.scheme, true).scheme;
+    const Sdc::Scheme scheme = MakeScheme(options.scheme, {}).scheme;
     session.Stage("analyze");
     const bool is_solid = std::visit([](const auto& s) { return s.kSolids; }, scheme);
     const Far::LocalMatrix matrix = Analysis::RegularLocalMatrix(scheme);

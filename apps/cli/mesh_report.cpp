@@ -221,14 +221,19 @@ Json DescribeMesh(const Io::Mesh& mesh) {
                             {"octahedra", Elements(found.inverted_octs)}};
         json["zero_volume"] = {{"tetrahedra", Elements(found.flat_tets)}, {"octahedra", Elements(found.flat_octs)}};
     }
+    Io::Topology copy = topology;
+    Geometry::OrientationReport others;
+    Geometry::OrientOtherCells(Geometry::OtherCells{.hexes = copy.hexes,
+                                                    .wedges = copy.wedges,
+                                                    .pyramids = copy.pyramids,
+                                                    .polyhedron_offsets = copy.polyhedron_offsets,
+                                                    .polyhedron_face_offsets = copy.polyhedron_face_offsets,
+                                                    .polyhedron_vertices = copy.polyhedron_vertices},
+                               mesh.positions, Geometry::OrientationPolicy::Keep, others);
+    json["other_cells"] = {{"inverted", others.n_inverted_others}, {"zero_volume", others.n_flat_others}};
     json["point_data"] = Attributes(mesh.point_data);
     json["cell_data"] = Attributes(mesh.cell_data);
 
-    if (!IsTetOct(topology)) {
-        json["analysis"] =
-            "boundary, valences and defects are found for tetrahedra, octahedra, triangles and edges only";
-        return json;
-    }
     const Io::Creases creases = Io::CreasesOf(mesh);
     json["creases"] = {{"edges", creases.edge_sharpness.size()}, {"corners", creases.vertices.size()}};
     Far::TopologyDescriptor descriptor = topology.View();
@@ -237,6 +242,10 @@ Json DescribeMesh(const Io::Mesh& mesh) {
     const Json& defects = json["defects"];
     if (std::any_of(defects.begin(), defects.end(), [](const Json& d) { return d["fatal"].get<bool>(); })) {
         json["analysis"] = "boundary and valences are not found while there are fatal defects";
+        return json;
+    }
+    if (!IsTetOct(topology)) {
+        json["analysis"] = "boundary and valences are found for tetrahedra, octahedra, triangles and edges only";
         return json;
     }
     const auto refiner = Far::TopologyRefiner::Create(topology.View(), Sdc::Split::TetOct);

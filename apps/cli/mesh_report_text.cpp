@@ -154,6 +154,10 @@ class ReportWriter {
             if (json_.contains("zero_volume")) WriteElements("no volume", json_["zero_volume"][kind], kind);
         }
         WriteElements("at the place of another", json_["coincident_vertices"], "vertices");
+        if (json_.contains("other_cells")) {
+            WriteOthers("inverted");
+            WriteOthers("zero_volume");
+        }
         if (json_.contains("defects")) {
             for (const Json& code : json_["defects"]) WriteCode(code);
             if (!has_defects_) Line("defects", "none");
@@ -172,6 +176,14 @@ class ReportWriter {
 
     const Json& json_;
     std::string text_;
+    /// Hexahedra, wedges, pyramids and polyhedra, which are only counted.
+    void WriteOthers(const std::string& what) {
+        const auto n = json_["other_cells"][what].get<Offset>();
+        if (n == 0) return;
+        Defect(what == "inverted" ? what : "no volume",
+               std::to_string(n) + " hexahedra, wedges, pyramids or polyhedra");
+    }
+
     bool has_defects_ = false;
 };
 

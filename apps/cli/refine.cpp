@@ -92,12 +92,17 @@ class RefineCommand {
     RefinementSettings Settings(const Io::Mesh& mesh) {
         const Io::Topology& topology = mesh.topology;
         RefinementSettings settings;
-        const bool is_solid = topology.n_cells() > 0;
-        const SchemeOptions scheme = WithFileOptions(options_.scheme, mesh.scheme_options, is_solid);
+        const MeshKind kind{topology.n_cells() > 0, IsTetOct(topology)};
+        const SchemeOptions scheme = WithFileOptions(options_.scheme, mesh.scheme_options, kind);
         const auto asks_to_drop = [](const auto& option) {
             return option.first == "boundary" && option.second == "none";
         };
-        settings.choice = MakeScheme(scheme, is_solid);
+        settings.choice = MakeScheme(scheme, kind);
+        // Tets, octs and triangles are cut as such where the scheme has rules for them.
+        const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(settings.choice.scheme, Sdc::Split::TetOct);
+        settings.split = is_cut_so || !Sdc::Takes(settings.choice.scheme, Sdc::Split::Polyhedral)
+                             ? Sdc::Split::TetOct
+                             : Sdc::Split::Polyhedral;
         settings.drop_border =
             options_.drop_border || std::any_of(mesh.scheme_options.begin(), mesh.scheme_options.end(), asks_to_drop);
         settings.keep_creases = FormatFor(options_.output).creases;
@@ -129,7 +134,8 @@ class RefineCommand {
             throw IoError(options_.output + ": " + std::string(format.name) +
                           " files hold cells only, and there are none; name a .vtu or .obj file");
         }
-        if (mesh.topology.n_cells() + mesh.topology.n_triangles() == 0 && !options_.boundary.empty()) {
+        const Io::Topology& t = mesh.topology;
+        if (t.n_cells() + t.n_triangles() + t.n_quads() + t.n_polygons() == 0 && !options_.boundary.empty()) {
             throw InvalidInput(options_.input + ": has no faces for --boundary; leave it out");
         }
     }
@@ -138,7 +144,7 @@ class RefineCommand {
         const auto& orientation = refinement.orientation();
         if (orientation.n_inverted() > 0) {
             session_.Note(options_.input + ": " + Counted(orientation.n_inverted(), "inverted cell", "inverted cells") +
-                          (options_.orient == "repair" ? " turned by swapping two vertices (--orient)" : " kept"));
+                          (options_.orient == "repair" ? " turned (--orient)" : " kept"));
         }
         if (orientation.n_flat() > 0) {
             session_.Note(options_.input + ": " + Counted(orientation.n_flat(), "cell", "cells") + " of no volume");
@@ -197,8 +203,8 @@ class RefineCommand {
     }
 
     void WriteStencils(const Refinement& refinement, const RefinementSettings& settings) {
-        const auto counts = refinement.refiner().CountsAt(options_.levels);
-        session_.Note(options_.stencils + ": " + Counted(counts.n_vertices, "row", "rows") + " over " +
+        session_.Note(options_.stencils + ": " +
+                      Counted(refinement.refiner().n_vertices(options_.levels), "row", "rows") + " over " +
                       Counted(refinement.control().topology.n_vertices, "control vertex", "control vertices") +
                       " are composed");
         session_.Stage("compose");
@@ -229,6 +235,10 @@ class RefineCommand {
         const Far::TopologyRefiner& refiner = refinement.refiner();
         std::string text;
         for (int i = 0; i <= options_.levels; ++i) {
+            if (refiner.is_polyhedral()) {
+                text += DescribePolyhedra(i, refiner.PolyhedralCountsAt(i));
+                continue;
+            }
             const Vtr::Counts c = refiner.CountsAt(i);
             json_["levels"].push_back({{"vertices", c.n_vertices},
                                        {"edges", c.n_edges},
@@ -267,7 +277,7 @@ class RefineCommand {
         }
         json_["defects"] = DescribeDefects(refiner.defects(), 100, 100);
         const Far::DiagonalChoice& diagonals = refinement.diagonals();
-        if (refinement.control().topology.n_cells() > 0) {
+        if (refinement.control().topology.n_cells() > 0 && !refiner.is_polyhedral()) {
             json_["matched_faces"] = {{"inner_faces", diagonals.n_inner_faces},
                                       {"matched", diagonals.n_matched_faces},
                                       {"share", diagonals.MatchedShare()}};
@@ -279,6 +289,25 @@ class RefineCommand {
             }
         }
         session_.Print(text + said_.substr(1));
+    }
+
+    /// Notes a level of the polyhedral split; the line of text on it.
+    std::string DescribePolyhedra(int level, const Vtr::PolyhedralCounts& c) {
+        json_["levels"].push_back({{"vertices", c.n_vertices},
+                                   {"edges", c.n_edges},
+                                   {"faces", c.n_faces},
+                                   {"hexahedra", c.n_hexes},
+                                   {"other_cells", c.n_polyhedra},
+                                   {"cells", c.n_cells()},
+                                   {"boundary_faces", c.n_boundary_faces}});
+        std::string text = "level " + std::to_string(level) + ": " + Counted(c.n_vertices, "vertex", "vertices");
+        if (c.n_cells() > 0) text += ", " + Counted(c.n_cells(), "cell", "cells");
+        if (c.n_polyhedra > 0) {
+            text += " (" + Counted(c.n_hexes, "hexahedron", "hexahedra") + ", " + std::to_string(c.n_polyhedra) +
+                    " of other kinds)";
+        }
+        if (c.n_boundary_faces > 0) text += ", " + Counted(c.n_boundary_faces, "boundary face", "boundary faces");
+        return text + "\n";
     }
 
     /// A usual line of the file: row, column, weight.

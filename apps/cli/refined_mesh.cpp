@@ -27,21 +27,15 @@ void Repeat(std::vector<Offset>& rows, T row, Offset times) {
 }  // namespace
 
 RefinedElements::RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border)
-    : control_(control), refiner_(refiner) {
+    : control_(control), refiner_(refiner), edges_(control, refiner) {
     FindTriangles();
-    FindEdges();
-    n_tags_ = control.n_triangles() - static_cast<Offset>(triangles_.size()) + control.n_edges() -
-              static_cast<Offset>(edges_.size());
+    n_tags_ = control.n_triangles() - static_cast<Offset>(triangles_.size()) + control.n_edges() - edges_.n_parts();
     if (drop_border) DropBorder();
 }
 
 void RefinedElements::DropBorder() {
     const Vtr::Level& level = refiner_.level(0);
-    std::vector<bool> is_on_border(static_cast<std::size_t>(level.n_vertices), false);
-    for (Index e = 0; e < level.n_edges; ++e) {
-        if (level.edge_faces.Count(e) != 1) continue;
-        for (Index v : level.EdgeVertices(e)) is_on_border[v] = true;
-    }
+    const std::vector<bool> is_on_border = RefinedEdges::IsOnBorder(refiner_);
     std::erase_if(triangles_, [&](Part part) {
         const auto v = level.BoundaryVertices(part.place);
         return std::any_of(v.begin(), v.end(), [&](Index i) { return is_on_border[i]; });
@@ -68,40 +62,6 @@ void RefinedElements::FindTriangles() {
     std::sort(triangles_.begin(), triangles_.end(), [](Part p, Part q) { return p.element < q.element; });
 }
 
-void RefinedElements::FindEdges() {
-    const Vtr::Level& level = refiner_.level(0);
-    for (Index i = 0; i < control_.n_edges(); ++i) {
-        const Index e = level.FindEdge(control_.edges[2 * i], control_.edges[2 * i + 1]);
-        if (e != kNoIndex && !level.edge_tags[e].in_face() && !level.edge_tags[e].in_cell()) edges_.push_back({i, e});
-    }
-}
-
-std::vector<Index> RefinedElements::EdgesAt(int level) const {
-    struct Piece {
-        Index edge, low, high;  // its number in the level, its ends
-    };
-    std::vector<Piece> pieces;
-    for (const Part& part : edges_) {
-        const auto ends = refiner_.level(0).EdgeVertices(part.place);
-        pieces.push_back({part.place, ends[0], ends[1]});
-    }
-    for (int i = 0; i < level; ++i) {
-        const Index first_point = refiner_.level(i).n_vertices;
-        std::vector<Piece> halves;
-        halves.reserve(2 * pieces.size());
-        for (const Piece& piece : pieces) {
-            const Index point = first_point + piece.edge;  // above every vertex of the parent level
-            halves.push_back({2 * piece.edge, piece.low, point});
-            halves.push_back({2 * piece.edge + 1, piece.high, point});
-        }
-        pieces = std::move(halves);
-    }
-    std::vector<Index> edges;
-    edges.reserve(2 * pieces.size());
-    for (const Piece& piece : pieces) edges.insert(edges.end(), {piece.low, piece.high});
-    return edges;
-}
-
 Io::Topology RefinedElements::At(int level) const {
     const Vtr::Level& from = refiner_.level(level);
     Io::Topology topology;
@@ -114,7 +74,7 @@ Io::Topology RefinedElements::At(int level) const {
         const Index* first = from.boundary_vertices.data() + 3 * n_children * static_cast<std::size_t>(part.place);
         topology.triangles.insert(topology.triangles.end(), first, first + 3 * n_children);
     }
-    topology.edges = EdgesAt(level);
+    topology.edges = edges_.At(level);
     return topology;
 }
 
@@ -138,7 +98,7 @@ std::vector<Offset> RefinedElements::ControlRows(int level) const {
     rows.insert(rows.end(), octs.begin(), octs.end());
     for (const Part& part : triangles_) Repeat(rows, control_.n_cells() + part.element, Offset{1} << (2 * level));
     const Offset first_edge = control_.n_cells() + control_.n_triangles();
-    for (const Part& part : edges_) Repeat(rows, first_edge + part.element, Offset{1} << level);
+    for (Index edge : edges_.Origins(level)) rows.push_back(first_edge + edge);
     return rows;
 }
 

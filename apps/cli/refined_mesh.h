@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include <solidsubdiv/apps/cli/refined_edges.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/io/mesh.h>
 
@@ -29,17 +30,16 @@ class RefinedElements {
 
   private:
     struct Part {
-        Index element;  ///< among the control mesh's triangles or edges
-        Index place;    ///< its boundary face or edge in level 0
+        Index element;  ///< among the control mesh's triangles
+        Index place;    ///< its boundary face in level 0
     };
     void FindTriangles();
-    void FindEdges();
     void DropBorder();
-    std::vector<Index> EdgesAt(int level) const;
 
     const Io::Topology& control_;
     const Far::TopologyRefiner& refiner_;
-    std::vector<Part> triangles_, edges_;
+    std::vector<Part> triangles_;
+    RefinedEdges edges_;
     Offset n_tags_ = 0;
 };
 

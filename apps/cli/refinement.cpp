@@ -9,6 +9,7 @@
 
 #include <solidsubdiv/apps/cli/diagonal_data.h>
 #include <solidsubdiv/apps/cli/refined_mesh.h>
+#include <solidsubdiv/apps/cli/refined_polyhedra.h>
 #include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/kit/geometry/compact_surface.h>
 #include <solidsubdiv/osd/evaluator.h>
@@ -38,28 +39,42 @@ void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
 /// Refuses what this machine's memory can't hold: the levels, the table of all of them, two copies of the refined
 /// values, and the refined elements as they are and as they are written, octahedra cut into four. What indices can't
 /// count is left to the refiner. @throws InvalidInput
-void RequireMemory(const Far::TopologyRefiner& refiner, const RefinementSettings& settings, const Io::Mesh& control) {
-    constexpr Offset bytes_of_row = 8 + 9 * 12;             // about nine weights and their indices
-    constexpr Offset bytes_of_element = 16 + 16 + 16 + 13;  // tet, the same once more, connectivity, offset and type
+template <class Counts, class WrittenCells>
+void RequireMemory(const Far::TopologyRefiner& refiner, const Counts& base, Offset weights_of_row,
+                   Offset bytes_of_element, WrittenCells&& written_cells, const RefinementSettings& settings,
+                   const Io::Mesh& control) {
+    const Offset bytes_of_row = 8 + weights_of_row * 12;  // and their indices
     Offset width = 3, cell_width = 1;
     for (const Io::Attribute& a : control.point_data) width += a.width;
     for (const Io::Attribute& a : control.cell_data) cell_width += a.width;
 
-    Vtr::Counts last = refiner.CountsAt(0);
+    auto last = base;
     Offset bytes = refiner.Bytes();
     for (int i = 1; i <= settings.levels; ++i) {
         last = Vtr::Refine(last);
         if (last.Largest() > std::numeric_limits<Index>::max()) return;
         bytes += Vtr::EstimateBytes(last, i < settings.levels || settings.limit) + bytes_of_row * last.n_vertices;
     }
-    bytes += 2 * 8 * width * last.n_vertices;
-    bytes += (bytes_of_element + 2 * 8 * cell_width) * (last.n_tets + 4 * last.n_octs);
+    bytes += 2 * 8 * width * last.n_vertices + (bytes_of_element + 2 * 8 * cell_width) * written_cells(last);
     const Offset machine = static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
     if (bytes <= machine) return;
     throw InvalidInput("level " + std::to_string(settings.levels) + " would have " + std::to_string(last.n_cells()) +
                        " cells, and to make and write them takes about " + Far::BytesText(bytes) + " (" +
                        std::to_string(bytes) + " bytes), more than the " + Far::BytesText(machine) +
                        " of this machine; refine fewer times");
+}
+
+void RequireMemory(const Far::TopologyRefiner& refiner, const RefinementSettings& settings, const Io::Mesh& control) {
+    // Of a cell in memory: its vertices, the same once more, connectivity, offset and type.
+    if (refiner.is_polyhedral()) {
+        RequireMemory(
+            refiner, refiner.PolyhedralCountsAt(0), 13, 3 * 32 + 13,
+            [](const Vtr::PolyhedralCounts& c) { return c.n_cells(); }, settings, control);
+    } else {
+        RequireMemory(
+            refiner, refiner.CountsAt(0), 9, 3 * 16 + 13, [](const Vtr::Counts& c) { return c.n_tets + 4 * c.n_octs; },
+            settings, control);
+    }
 }
 
 void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
@@ -89,11 +104,23 @@ Refinement::Refinement(Io::Mesh control, const RefinementSettings& settings, Ses
 }
 
 void Refinement::Orient() {
-    orientation_ =
-        Geometry::OrientCells(control_.topology.tets, control_.topology.octs, control_.positions, settings_.orient);
+    Io::Topology& t = control_.topology;
+    orientation_ = Geometry::OrientCells(t.tets, t.octs, control_.positions, settings_.orient);
+    Geometry::OrientOtherCells({.hexes = t.hexes,
+                                .wedges = t.wedges,
+                                .pyramids = t.pyramids,
+                                .polyhedron_offsets = t.polyhedron_offsets,
+                                .polyhedron_face_offsets = t.polyhedron_face_offsets,
+                                .polyhedron_vertices = t.polyhedron_vertices},
+                               control_.positions, settings_.orient, orientation_);
 }
 
 void Refinement::ChooseDiagonals() {
+    if (settings_.split == Sdc::Split::Polyhedral) {
+        diagonals_.tets = control_.topology.tets;
+        diagonals_.octs = control_.topology.octs;
+        return;
+    }
     std::vector<std::uint8_t> given;
     if (settings_.choice.diagonals == Far::DiagonalPolicy::Given && control_.topology.n_cells() > 0) {
         given = RequireDiagonalData(control_);
@@ -107,7 +134,7 @@ void Refinement::ChooseDiagonals() {
 
 void Refinement::RefineTopology() {
     creases_ = Io::CreasesOf(control_);
-    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_, creases_), Sdc::Split::TetOct);
+    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_, creases_), settings_.split);
     RequireMemory(*refiner_, settings_, control_);
     refiner_->RefineUniform({.max_level = settings_.levels,
                              .full_topology_in_last_level = settings_.limit,
@@ -124,7 +151,7 @@ void Refinement::Evaluate() {
     Osd::Evaluator evaluator(table, Osd::Backend::Best());
     for (int level = 1; level <= settings_.levels; ++level) {
         if (settings_.keep_levels) KeepLevel(level - 1);
-        const Index n = refiner_->level(level).n_vertices;
+        const Index n = refiner_->n_vertices(level);
         const auto evaluate = [&](std::vector<double>& values, int width) {
             std::vector<double> refined(static_cast<std::size_t>(n) * static_cast<std::size_t>(width));
             evaluator.EvaluateRange(level, Osd::BufferView<const double>(values, width),
@@ -137,12 +164,24 @@ void Refinement::Evaluate() {
     if (settings_.limit) ApplyLimit();
 }
 
+/// Calls body with the elements of the levels.
+template <class Body>
+void Refinement::WithElements(Body&& body) const {
+    if (refiner_->is_polyhedral()) {
+        body(RefinedPolyhedra(control_.topology, *refiner_, settings_.drop_border));
+    } else {
+        body(RefinedElements(control_.topology, *refiner_, settings_.drop_border));
+    }
+}
+
 void Refinement::KeepLevel(int level) {
-    earlier_.push_back({.topology = RefinedElements(control_.topology, *refiner_, settings_.drop_border).At(level),
-                        .positions = result_.positions,
-                        .point_data = result_.point_data,
-                        .cell_data = {},
-                        .notes = {}});
+    WithElements([&](const auto& elements) {
+        earlier_.push_back({.topology = elements.At(level),
+                            .positions = result_.positions,
+                            .point_data = result_.point_data,
+                            .cell_data = {},
+                            .notes = {}});
+    });
 }
 
 void Refinement::ApplyLimit() {
@@ -164,16 +203,17 @@ void Refinement::ApplyLimit() {
 }
 
 void Refinement::GatherElements() {
-    const RefinedElements elements(control_.topology, *refiner_, settings_.drop_border);
-    const auto n_creases = static_cast<Offset>(creases_.edge_sharpness.size() + creases_.vertices.size());
-    n_tags_ = std::max<Offset>(0, elements.n_tags() + control_.topology.n_point_elements() - n_creases);
-    result_.topology = elements.At(settings_.levels);
-    std::vector<Offset> rows;
-    CopyCellData(control_, result_, [&](const Io::Attribute& attribute) {
-        if (rows.empty()) rows = elements.ControlRows(settings_.levels);
-        return InheritedRows(attribute, rows);
+    WithElements([&](const auto& elements) {
+        const auto n_creases = static_cast<Offset>(creases_.edge_sharpness.size() + creases_.vertices.size());
+        n_tags_ = std::max<Offset>(0, elements.n_tags() + control_.topology.n_point_elements() - n_creases);
+        result_.topology = elements.At(settings_.levels);
+        std::vector<Offset> rows;
+        CopyCellData(control_, result_, [&](const Io::Attribute& attribute) {
+            if (rows.empty()) rows = elements.ControlRows(settings_.levels);
+            return InheritedRows(attribute, rows);
+        });
     });
-    AddDiagonals(result_, {});
+    if (!refiner_->is_polyhedral()) AddDiagonals(result_, {});
     for (const auto& option : control_.scheme_options) {
         if (option.second != "none") result_.scheme_options.push_back(option);  // the border that was dropped is gone
     }
@@ -190,15 +230,23 @@ void Refinement::GatherControl() {
     result_.topology = control_.topology;
     result_.topology.octs = diagonals_.octs;
     CopyCellData(control_, result_, [](const Io::Attribute& attribute) { return attribute; });
+    if (refiner_->is_polyhedral()) return;
     const auto first = diagonals_.diagonals.begin();
     AddDiagonals(result_, {first, first + control_.topology.n_tets()});
 }
 
 Io::Mesh Refinement::Boundary() const {
-    const Geometry::CompactSurface surface = Geometry::ExtractBoundary(refiner_->level(settings_.levels));
+    const bool is_polyhedral = refiner_->is_polyhedral();
+    const Geometry::CompactSurface surface =
+        is_polyhedral ? Geometry::ExtractBoundary(refiner_->polyhedral_level(settings_.levels))
+                      : Geometry::ExtractBoundary(refiner_->level(settings_.levels));
     Io::Mesh mesh;
     mesh.topology.n_vertices = static_cast<Index>(surface.vertices.size());
-    mesh.topology.triangles = surface.triangles;
+    if (is_polyhedral) {
+        AddPolygons(refiner_->polyhedral_level(settings_.levels).boundary_rows, surface.corners, mesh.topology);
+    } else {
+        mesh.topology.triangles = surface.corners;
+    }
     mesh.positions = Geometry::GatherRows(result_.positions, 3, surface.vertices);
     for (const Io::Attribute& a : result_.point_data) {
         mesh.point_data.push_back({a.name, a.width, Geometry::GatherRows(a.values, a.width, surface.vertices)});

@@ -18,6 +18,7 @@ namespace SolidSubdiv::Cli {
 
 struct RefinementSettings {
     SchemeChoice choice;
+    Sdc::Split split = Sdc::Split::TetOct;
     int levels = 1;
     Geometry::OrientationPolicy orient = Geometry::OrientationPolicy::Repair;
     bool drop_border = false;  ///< leave out the faces at the border of open surfaces
@@ -56,6 +57,8 @@ class Refinement {
     void RefineTopology();
     void Evaluate();
     void KeepLevel(int level);
+    template <class Body>
+    void WithElements(Body&& body) const;
     void ApplyLimit();
     void GatherElements();
     void GatherControl();

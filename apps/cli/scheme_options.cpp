@@ -49,9 +49,11 @@ std::string SchemeNames() {
 }
 
 /// With default options. @throws UsageError for an unknown name
-Sdc::Scheme NamedScheme(const SchemeOptions& options, bool is_solid) {
+Sdc::Scheme NamedScheme(const SchemeOptions& options, MeshKind kind) {
+    const char* const usual = kind.is_solid ? (kind.is_tet_oct ? "box-spline" : "catmull-clark-solid")
+                                            : (kind.is_tet_oct ? "loop" : "catmull-clark");
     try {
-        return Sdc::SchemeOf(!options.scheme.empty() ? options.scheme : is_solid ? "box-spline" : "loop");
+        return Sdc::SchemeOf(!options.scheme.empty() ? options.scheme : usual);
     } catch (const InvalidInput& error) {
         throw UsageError(error.what());
     }
@@ -60,7 +62,10 @@ Sdc::Scheme NamedScheme(const SchemeOptions& options, bool is_solid) {
 }  // namespace
 
 void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
-    command.add_option("--scheme", options.scheme, "the scheme; default: box-spline for solids, loop for surfaces")
+    command
+        .add_option("--scheme", options.scheme,
+                    "the scheme; default: box-spline for tets and octs, loop for triangles,\ncatmull-clark-solid and "
+                    "catmull-clark for others")
         ->option_text(SchemeNames());
     command
         .add_option("--diagonals", options.diagonals,
@@ -82,8 +87,8 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
 }
 
 SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,
-                              bool is_solid) {
-    const Sdc::Scheme scheme = NamedScheme(options, is_solid);
+                              MeshKind kind) {
+    const Sdc::Scheme scheme = NamedScheme(options, kind);
     for (const auto& option : file) {
         std::string name = option.first, value = option.second;
         if (name == "boundary") {  // what files call it
@@ -98,10 +103,10 @@ SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair
     return options;
 }
 
-SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid) {
+SchemeChoice MakeScheme(const SchemeOptions& options, MeshKind kind) {
     SchemeChoice choice;
     try {
-        choice.scheme = NamedScheme(options, is_solid);
+        choice.scheme = NamedScheme(options, kind);
         for (const auto& [name, value] : options.values) Sdc::SetOption(choice.scheme, name, value);
         if (options.diagonals == "averaged") {
             Sdc::SetOption(choice.scheme, kDiagonalsOption, options.diagonals);

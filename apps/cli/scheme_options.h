@@ -15,8 +15,14 @@ class App;
 
 namespace SolidSubdiv::Cli {
 
+/// What schemes are chosen by.
+struct MeshKind {
+    bool is_solid = true;
+    bool is_tet_oct = true;  ///< tets, octs, triangles and edges alone
+};
+
 struct SchemeOptions {
-    std::string scheme;  ///< empty: box-spline for solids, loop for surfaces and curves
+    std::string scheme;  ///< empty: the default of the mesh's kind
     std::vector<std::pair<std::string, std::string>> values;
     std::string diagonals = "matched";  ///< a policy, or averaged
 };
@@ -27,7 +33,7 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options);
 /// The options with what a file asks for (Io::Mesh::scheme_options) where the scheme has such an option and the command
 /// line does not say otherwise.
 SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,
-                              bool is_solid);
+                              MeshKind kind);
 
 struct SchemeChoice {
     Sdc::Scheme scheme;
@@ -35,7 +41,7 @@ struct SchemeChoice {
 };
 
 /// @throws UsageError for unknown names and values, and where they contradict each other
-SchemeChoice MakeScheme(const SchemeOptions& options, bool is_solid);
+SchemeChoice MakeScheme(const SchemeOptions& options, MeshKind kind);
 
 /// The value of every option that the scheme has (but diagonals), given or by default.
 std::vector<std::pair<std::string, std::string>> OptionValues(const SchemeOptions& options, const Sdc::Scheme& scheme);

@@ -4,21 +4,25 @@
 
 namespace SolidSubdiv::Geometry {
 
-CompactSurface MakeCompactSurface(std::span<const Index> triangles, Index n_vertices) {
+CompactSurface MakeCompactSurface(std::span<const Index> corners, Index n_vertices) {
     std::vector<Index> place(static_cast<std::size_t>(n_vertices), kNoIndex);
-    for (Index v : triangles) place[v] = 0;
+    for (Index v : corners) place[v] = 0;
     CompactSurface surface;
     for (Index v = 0; v < n_vertices; ++v) {
         if (place[v] == kNoIndex) continue;
         place[v] = static_cast<Index>(surface.vertices.size());
         surface.vertices.push_back(v);
     }
-    surface.triangles.reserve(triangles.size());
-    for (Index v : triangles) surface.triangles.push_back(place[v]);
+    surface.corners.reserve(corners.size());
+    for (Index v : corners) surface.corners.push_back(place[v]);
     return surface;
 }
 
 CompactSurface ExtractBoundary(const Vtr::Level& level) {
+    return MakeCompactSurface(level.boundary_vertices, level.n_vertices);
+}
+
+CompactSurface ExtractBoundary(const Vtr::PolyhedralLevel& level) {
     return MakeCompactSurface(level.boundary_vertices, level.n_vertices);
 }
 

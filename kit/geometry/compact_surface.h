@@ -6,19 +6,21 @@
 #include <vector>
 
 #include <solidsubdiv/vtr/level.h>
+#include <solidsubdiv/vtr/polyhedral_level.h>
 
 namespace SolidSubdiv::Geometry {
 
 struct CompactSurface {
-    std::vector<Index> vertices;   ///< (n), ascending: the mesh's vertex of each vertex of the surface
-    std::vector<Index> triangles;  ///< (m, 3): the triangles in the order given, over [0, n)
+    std::vector<Index> vertices;  ///< (n), ascending: the mesh's vertex of each vertex of the surface
+    std::vector<Index> corners;   ///< of the faces in the order given, over [0, n): triangles (m, 3) or as they came
 };
 
-/// @pre indices of `triangles`, (m, 3), are in [0, n_vertices). Cost: linear.
-CompactSurface MakeCompactSurface(std::span<const Index> triangles, Index n_vertices);
+/// @pre indices of the faces' corners are in [0, n_vertices). Cost: linear.
+CompactSurface MakeCompactSurface(std::span<const Index> corners, Index n_vertices);
 
 /// All boundary faces of a level: those of its solids, counterclockwise from outside, and its surface elements.
 CompactSurface ExtractBoundary(const Vtr::Level& level);
+CompactSurface ExtractBoundary(const Vtr::PolyhedralLevel& level);
 
 /// Rows of `width` numbers at chosen vertices: positions or data of a compact surface. @pre indices are in range
 std::vector<double> GatherRows(std::span<const double> rows, int width, std::span<const Index> vertices);

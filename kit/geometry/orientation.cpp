@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tets and octs of negative volume: found, and turned, refused or left.
+// Cells of negative volume: found, and turned, refused or left.
 #include <solidsubdiv/kit/geometry/orientation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -75,6 +76,61 @@ OrientationReport OrientCells(std::span<Index> tets, std::span<Index> octs, std:
         std::swap(oct[4], oct[5]);
     }
     return report;
+}
+
+void OrientOtherCells(const OtherCells& cells, std::span<const double> positions, OrientationPolicy policy,
+                      OrientationReport& report) {
+    Far::TopologyDescriptor d{.n_vertices = static_cast<Index>(positions.size() / 3)};
+    d.hexes = cells.hexes, d.wedges = cells.wedges, d.pyramids = cells.pyramids;
+    d.polyhedron_offsets = cells.polyhedron_offsets, d.polyhedron_face_offsets = cells.polyhedron_face_offsets;
+    d.polyhedron_vertices = cells.polyhedron_vertices;
+    const std::vector<double> volumes = CellVolumes(d, positions);
+    std::size_t next = 0;
+    // Looks at the n cells of a kind that come next among the volumes.
+    const auto look = [&](const char* name, std::size_t n, auto&& vertices, auto&& turn) {
+        for (std::size_t c = 0; c < n; ++c) {
+            const double volume = volumes[next++];
+            if (std::abs(volume) <= VolumeRoundoff(positions, vertices(c))) {
+                ++report.n_flat_others;
+            } else if (volume < 0) {
+                ++report.n_inverted_others;
+                if (policy == OrientationPolicy::Refuse) {
+                    char volume_text[32];
+                    std::snprintf(volume_text, sizeof volume_text, "%.6g", volume);
+                    throw InvalidInput(std::string(name) + " " + std::to_string(c) + " is inverted, its volume is " +
+                                       volume_text + "; repair its orientation");
+                }
+                if (policy == OrientationPolicy::Repair) turn(c);
+            }
+        }
+    };
+    const auto rows = [](std::span<Index> all, std::size_t arity) {
+        return [=](std::size_t c) { return all.subspan(arity * c, arity); };
+    };
+    const auto exchange = [](std::span<Index> cell) {
+        std::swap_ranges(cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(cell.size() / 2),
+                         cell.begin() + static_cast<std::ptrdiff_t>(cell.size() / 2));
+    };
+    const auto hex = rows(cells.hexes, 8), wedge = rows(cells.wedges, 6), pyramid = rows(cells.pyramids, 5);
+    look("hexahedron", cells.hexes.size() / 8, hex, [&](std::size_t c) { exchange(hex(c)); });
+    look("wedge", cells.wedges.size() / 6, wedge, [&](std::size_t c) { exchange(wedge(c)); });
+    look("pyramid", cells.pyramids.size() / 5, pyramid,
+         [&](std::size_t c) { std::swap(pyramid(c)[1], pyramid(c)[3]); });
+    const auto face = [&](Offset f) {
+        const Offset begin = cells.polyhedron_face_offsets[f];
+        return cells.polyhedron_vertices.subspan(begin, cells.polyhedron_face_offsets[f + 1] - begin);
+    };
+    const auto polyhedron = [&](std::size_t c) {
+        const Offset begin = cells.polyhedron_face_offsets[cells.polyhedron_offsets[c]];
+        return cells.polyhedron_vertices.subspan(
+            begin, cells.polyhedron_face_offsets[cells.polyhedron_offsets[c + 1]] - begin);
+    };
+    look("polyhedron", cells.polyhedron_offsets.empty() ? 0 : cells.polyhedron_offsets.size() - 1, polyhedron,
+         [&](std::size_t c) {
+             for (Offset f = cells.polyhedron_offsets[c]; f < cells.polyhedron_offsets[c + 1]; ++f) {
+                 std::reverse(face(f).begin(), face(f).end());
+             }
+         });
 }
 
 OrientationPolicy OrientationPolicyOf(std::string_view name) {

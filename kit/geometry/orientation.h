@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tets and octs of negative volume: found, and turned, refused or left.
+// Cells of negative volume: found, and turned, refused or left.
 #pragma once
 
 #include <span>
@@ -11,9 +11,11 @@
 namespace SolidSubdiv::Geometry {
 
 enum class OrientationPolicy {
-    Repair,  ///< turn the cell: a tet by swapping v2 and v3, an oct v4 and v5; all pairs stay
-    Keep,    ///< leave it
-    Refuse   ///< InvalidInput
+    /// Turn the cell: a tet by swapping v2 and v3, an oct v4 and v5 (all pairs stay), a hexahedron and a wedge by
+    /// exchanging bottom and top, a pyramid by swapping v1 and v3, a polyhedron by going round its faces the other way.
+    Repair,
+    Keep,   ///< leave it
+    Refuse  ///< InvalidInput
 };
 
 /// Which cells are not positive.
@@ -23,8 +25,19 @@ struct OrientationReport {
     std::vector<Index> flat_tets;  ///< of no volume, up to rounding of the coordinates: no sign to repair, always left
     std::vector<Index> flat_octs;
 
-    Offset n_inverted() const { return static_cast<Offset>(inverted_tets.size() + inverted_octs.size()); }
-    Offset n_flat() const { return static_cast<Offset>(flat_tets.size() + flat_octs.size()); }
+    Offset n_inverted_others = 0, n_flat_others = 0;  ///< hexahedra, wedges, pyramids and polyhedra
+
+    Offset n_inverted() const {
+        return static_cast<Offset>(inverted_tets.size() + inverted_octs.size()) + n_inverted_others;
+    }
+    Offset n_flat() const { return static_cast<Offset>(flat_tets.size() + flat_octs.size()) + n_flat_others; }
+};
+
+/// Cells other than tets and octs, as TopologyDescriptor has them.
+struct OtherCells {
+    std::span<Index> hexes{}, wedges{}, pyramids{};
+    std::span<const Offset> polyhedron_offsets{}, polyhedron_face_offsets{};
+    std::span<Index> polyhedron_vertices{};
 };
 
 /// Finds inverted and flat cells. Tets are (n, 4), octs (n, 6), positions (vertices, 3). @pre indices are in range
@@ -35,6 +48,10 @@ OrientationReport FindInvertedCells(std::span<const Index> tets, std::span<const
 /// @throws InvalidInput with Refuse: names the first inverted cell and its volume, and their number
 OrientationReport OrientCells(std::span<Index> tets, std::span<Index> octs, std::span<const double> positions,
                               OrientationPolicy policy);
+
+/// The same for other cells, by the volume that their faces enclose; adds their numbers to the report.
+void OrientOtherCells(const OtherCells& cells, std::span<const double> positions, OrientationPolicy policy,
+                      OrientationReport& report);
 
 /// The policy of a name on the command line (repair, keep, refuse). @throws InvalidInput
 OrientationPolicy OrientationPolicyOf(std::string_view name);

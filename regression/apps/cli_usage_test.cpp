@@ -74,11 +74,13 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
         std::istringstream choices((*it)[2].str());
         for (std::string choice; std::getline(choices, choice, '|'); ++n_choices) {
             std::string option = (*it)[1].str() + " " + choice;
-            const std::set<std::string> surface_schemes{"loop", "butterfly", "modified-butterfly", "linear-surface"};
+            const std::set<std::string> surface_schemes{"loop", "butterfly", "modified-butterfly", "catmull-clark",
+                                                        "linear-surface"};
             const std::string name = (*it)[1].str();
             const bool is_surface = (name == "--scheme" && surface_schemes.count(choice) > 0) || name == "--features" ||
-                                    name == "--creasing";
+                                    name == "--creasing" || name == "--triangles";
             if (name == "--butterfly") option += " --scheme interpolatory";
+            if (name == "--triangles") option += " --scheme catmull-clark";
             MustRun("refine " + std::string(is_surface ? "surface.obj" : "given.vtu") + " -o out.vtu " + option);
         }
     }
@@ -177,9 +179,17 @@ TEST_F(CliUsage, MeshesThatCannotBeRefinedAreNamedWithTheElement) {
     hex.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
     hex.topology.hexes = {0, 1, 2, 3, 4, 5, 6, 7};
     WriteMesh("hex.vtu", hex);
-    ExpectError("refine hex.vtu -o out.vtu", 1, {"hex.vtu: ", "1 hexahedron"});
+    ExpectError("refine hex.vtu -o out.vtu --scheme box-spline", 1, {"hex.vtu: ", "1 hexahedron"});
     WriteText("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-    ExpectError("refine quad.obj -o out.obj", 1, {"quad.obj: ", "1 quad"});
+    ExpectError("refine quad.obj -o out.obj --scheme loop", 1, {"quad.obj: ", "1 quad"});
+    ExpectError("refine hex.vtu -o out.vtu --limit", 1, {"hex.vtu: ", "limits are there for the tet/oct split only"});
+
+    hex.topology.hexes = {4, 5, 6, 7, 0, 1, 2, 3};
+    WriteMesh("turned.vtu", hex);
+    ExpectError("refine turned.vtu -o out.vtu --orient refuse", 1, {"turned.vtu: ", "hexahedron 0 is inverted", "-1;"});
+    hex.topology.hexes.insert(hex.topology.hexes.end(), {7, 6, 5, 4, 3, 2, 1, 0});
+    WriteMesh("twice.vtu", hex);
+    ExpectError("refine twice.vtu -o out.vtu", 1, {"twice.vtu: ", "hexahedron 1 has the same vertices"});
 }
 
 TEST_F(CliUsage, WhatDoesNotFitIsRefusedWithItsSize) {

@@ -58,16 +58,16 @@ TEST(CompactSurface, BoundaryOfALevelKeepsItsTrianglesOverItsOwnVertices) {
     const auto refiner = Refined({0, 1, 2, 4, 0, 3, 1, 4, 1, 3, 2, 4, 0, 2, 3, 4}, 6, 1);  // vertex 5 is isolated
     const Vtr::Level& level = refiner.level(1);
     const CompactSurface surface = ExtractBoundary(level);
-    EXPECT_EQ(surface.triangles.size(), 3u * 16u);
+    EXPECT_EQ(surface.corners.size(), 3u * 16u);
     EXPECT_EQ(surface.vertices.size(), 10u);
     EXPECT_TRUE(std::is_sorted(surface.vertices.begin(), surface.vertices.end()));
     std::vector<double> positions(3 * static_cast<std::size_t>(level.n_vertices));
     std::iota(positions.begin(), positions.end(), 0.0);
     const std::vector<double> own = GatherRows(positions, 3, surface.vertices);
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-        EXPECT_EQ(surface.vertices[surface.triangles[i]], level.boundary_vertices[i]);
+    for (std::size_t i = 0; i < surface.corners.size(); ++i) {
+        EXPECT_EQ(surface.vertices[surface.corners[i]], level.boundary_vertices[i]);
         for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(own[3 * surface.triangles[i] + axis], positions[3 * level.boundary_vertices[i] + axis]);
+            EXPECT_EQ(own[3 * surface.corners[i] + axis], positions[3 * level.boundary_vertices[i] + axis]);
         }
     }
 }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// solidsubdiv refine and info on hexahedra, mixed cells and polygons.
+#include <map>
+
+#include "apps/cli_testing.h"
+
+namespace SolidSubdiv::CliTesting {
+namespace {
+
+class CliPolyhedra : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        // A cube, a pyramid on it, a wedge beside it, a tet as a polyhedron on the wedge; a loose quad and a pentagon;
+        // a polyline. Cell data: the number of each element in the file's order.
+        Io::Topology& t = mesh_.topology;
+        mesh_.positions = {0, 0, 0, 1, 0, 0,   1,   1, 0, 0, 1,   0,  0, 0,   1,   1,  0,   1, 1,
+                           1, 1, 0, 1, 1, 0.5, 0.5, 2, 2, 0, 0.5, 2,  1, 0.5, 1.6, -1, 0.6, 5, 0,
+                           0, 6, 0, 0, 6, 1,   0,   5, 1, 0, 5.5, -1, 0, 4.5, -1,  1,  4,   0, 0};
+        t.n_vertices = static_cast<Index>(mesh_.positions.size() / 3);
+        t.hexes = {0, 1, 2, 3, 4, 5, 6, 7};
+        t.pyramids = {4, 5, 6, 7, 8};
+        t.wedges = {1, 9, 5, 2, 10, 6};
+        t.polyhedron_offsets = {0, 4};
+        t.polyhedron_face_offsets = {0, 3, 6, 9, 12};
+        t.polyhedron_vertices = {1, 5, 9, 1, 11, 5, 5, 11, 9, 9, 11, 1};
+        t.quads = {12, 13, 14, 15};
+        t.polygon_offsets = {0, 5};
+        t.polygon_vertices = {13, 12, 18, 17, 16};
+        t.edges = {14, 0};
+        mesh_.cell_data = {{"number", 1, {0, 1, 2, 3, 4, 5, 6}}};
+        Io::WriteMesh(folder / "mixed.vtu", mesh_, {});
+    }
+    Io::Mesh mesh_;
+};
+
+/// Corners of the elements, in the order of cell data.
+std::vector<std::vector<Index>> Elements(const Io::Topology& t) {
+    std::vector<std::vector<Index>> elements;
+    const auto add = [&](const std::vector<Index>& all, std::size_t arity) {
+        for (std::size_t i = 0; i < all.size(); i += arity) {
+            elements.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(i),
+                                  all.begin() + static_cast<std::ptrdiff_t>(i + arity));
+        }
+    };
+    add(t.hexes, 8);
+    add(t.wedges, 6);
+    add(t.pyramids, 5);
+    for (Offset c = 0; c < t.n_polyhedra(); ++c) {
+        elements.emplace_back(t.polyhedron_vertices.begin() + t.polyhedron_face_offsets[t.polyhedron_offsets[c]],
+                              t.polyhedron_vertices.begin() + t.polyhedron_face_offsets[t.polyhedron_offsets[c + 1]]);
+    }
+    add(t.quads, 4);
+    for (Offset i = 0; i < t.n_polygons(); ++i) {
+        elements.emplace_back(t.polygon_vertices.begin() + t.polygon_offsets[i],
+                              t.polygon_vertices.begin() + t.polygon_offsets[i + 1]);
+    }
+    add(t.edges, 2);
+    return elements;
+}
+
+std::array<double, 6> BoxOf(const Io::Mesh& mesh, const std::vector<Index>& vertices) {
+    std::array<double, 6> box{1e9, 1e9, 1e9, -1e9, -1e9, -1e9};
+    for (Index v : vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = mesh.positions[3 * static_cast<std::size_t>(v) + static_cast<std::size_t>(axis)];
+            box[axis] = std::min(box[axis], x);
+            box[3 + axis] = std::max(box[3 + axis], x);
+        }
+    }
+    return box;
+}
+
+TEST_F(CliPolyhedra, ElementsInheritTheDataOfTheElementsThatTheyLieIn) {
+    MustRun("refine mixed.vtu -o fine.vtu --scheme linear-solid --levels 2");
+    const Io::Mesh fine = Io::ReadMesh(folder / "fine.vtu");
+    const auto parents = Elements(mesh_.topology), elements = Elements(fine.topology);
+    const Io::Attribute* number = fine.FindCellData("number");
+    ASSERT_NE(number, nullptr);
+    ASSERT_EQ(number->values.size(), elements.size());
+    std::map<int, int> counts;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const int parent = static_cast<int>(number->values[i]);
+        ++counts[parent];
+        const auto mine = BoxOf(fine, elements[i]), theirs = BoxOf(mesh_, parents[static_cast<std::size_t>(parent)]);
+        for (int k = 0; k < 3; ++k) {
+            ASSERT_GE(mine[k], theirs[k] - 1e-12) << i << " of " << parent;
+            ASSERT_LE(mine[3 + k], theirs[3 + k] + 1e-12) << i << " of " << parent;
+        }
+    }
+    // Corners, and theirs: the pyramid's apex leaves a cell with ten corners beside its four hexahedra.
+    const std::map<int, int> expected{{0, 64}, {1, 48}, {2, 4 * 8 + 10}, {3, 32}, {4, 16}, {5, 20}, {6, 4}};
+    EXPECT_EQ(counts, expected);
+}
+
+TEST_F(CliPolyhedra, TheBoundaryIsWrittenWithItsQuadrilaterals) {
+    MustRun("refine mixed.vtu -o fine.vtu --levels 1 --boundary fine.obj --json j.json");
+    const Io::Mesh boundary = Io::ReadMesh(folder / "fine.obj");
+    const auto json = nlohmann::json::parse(ReadText(folder / "j.json"));
+    EXPECT_EQ(json["settings"]["scheme"], "catmull-clark-solid");
+    EXPECT_EQ(json["levels"][1]["boundary_faces"].get<Offset>(), boundary.topology.n_quads());
+    EXPECT_EQ(json["levels"][1]["other_cells"], 1);
+    EXPECT_EQ(json["levels"][1]["hexahedra"], 8 + 6 + 4 + 4);
+    MustRun("refine mixed.vtu -o same.vtu --levels 0 --boundary base.obj");
+    const Io::Mesh base = Io::ReadMesh(folder / "base.obj");
+    EXPECT_EQ(base.topology.n_triangles(), 4 + 1 + 3);
+    EXPECT_EQ(base.topology.n_polygons(), 1);
+}
+
+TEST_F(CliPolyhedra, InvertedCellsAreTurnedWithAWord) {
+    Io::Mesh turned = mesh_;
+    turned.topology.hexes = {4, 5, 6, 7, 0, 1, 2, 3};
+    turned.topology.pyramids = {4, 7, 6, 5, 8};
+    Io::WriteMesh(folder / "turned.vtu", turned, {});
+    EXPECT_THAT(MustRun("info turned.vtu").out, testing::HasSubstr("inverted: 2 hexahedra"));
+    const Outcome outcome = MustRun("refine turned.vtu -o a.vtu --levels 1 --ascii");
+    EXPECT_THAT(outcome.err, testing::HasSubstr("2 inverted cells turned (--orient)"));
+    EXPECT_THAT(MustRun("info a.vtu").out, testing::Not(testing::HasSubstr("inverted")));
+    MustRun("refine mixed.vtu -o b.vtu --levels 1");
+    EXPECT_EQ(Io::ReadMesh(folder / "a.vtu").positions.size(), Io::ReadMesh(folder / "b.vtu").positions.size());
+}
+
+TEST_F(CliPolyhedra, ASurfaceOfPolygonsFollowsCatmullClark) {
+    // A cube's surface: after one split every old vertex is at 5/9 of its place.
+    WriteText("cube.obj",
+              "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+              "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    MustRun("refine cube.obj -o fine.obj --levels 1");
+    const Io::Mesh fine = Io::ReadMesh(folder / "fine.obj");
+    EXPECT_EQ(fine.topology.n_quads(), 24);
+    for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(std::abs(fine.positions[i]), 5.0 / 9, 1e-15);
+}
+
+}  // namespace
+}  // namespace SolidSubdiv::CliTesting

@@ -30,6 +30,10 @@ Json EigenvaluesOf(const Analysis::Spectrum& spectrum) {
 
 void RunAnalyze(Session& session, const AnalyzeOptions& options) {
     const Sdc::Scheme scheme = MakeScheme(options.scheme, {}).scheme;
+    if (!Sdc::Takes(scheme, Sdc::Split::TetOct)) {
+        throw UsageError("analyze knows the schemes of tets and triangles, not yet " +
+                         std::string(Sdc::NameOf(scheme)));
+    }
     session.Stage("analyze");
     const bool is_solid = std::visit([](const auto& s) { return s.kSolids; }, scheme);
     const Far::LocalMatrix matrix = Analysis::RegularLocalMatrix(scheme);

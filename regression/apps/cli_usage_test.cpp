@@ -182,6 +182,7 @@ TEST_F(CliUsage, MeshesThatCannotBeRefinedAreNamedWithTheElement) {
     ExpectError("refine hex.vtu -o out.vtu --scheme box-spline", 1, {"hex.vtu: ", "1 hexahedron"});
     WriteText("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     ExpectError("refine quad.obj -o out.obj --scheme loop", 1, {"quad.obj: ", "1 quad"});
+    ExpectError("analyze --regular --scheme catmull-clark", 2, {"not yet catmull-clark"});
     ExpectError("refine hex.vtu -o out.vtu --limit", 1, {"hex.vtu: ", "limits are there for the tet/oct split only"});
 
     hex.topology.hexes = {4, 5, 6, 7, 0, 1, 2, 3};

@@ -49,9 +49,8 @@ void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::ve
     if (next != table->GetNumStencils()) throw std::runtime_error("OpenSubdiv's table has an unexpected length");
 }
 
-}  // namespace
-
-std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int max_level, int max_row_level) {
+template <class Surface>
+std::vector<SurfaceLevel> Refine(const Surface& surface, int max_level, int max_row_level) {
     const auto refiner = MakeOpenSubdivRefiner(surface, max_level);
     std::vector<SurfaceLevel> levels(static_cast<std::size_t>(max_level) + 1);
     std::vector<Position> values(static_cast<std::size_t>(surface.n_vertices)), finer;
@@ -61,7 +60,7 @@ std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int 
     const Theirs::PrimvarRefinerReal<double> primvars(*refiner);
     for (int l = 0; l <= max_level; ++l) {
         SurfaceLevel& level = levels[l];
-        CopyTopology(refiner->GetLevel(l), l == max_level, level);
+        CopyTopology(refiner->GetLevel(l), l == max_level, level, std::is_same_v<Surface, PolygonSurface>);
         if (l > 0) {
             finer.assign(static_cast<std::size_t>(level.n_vertices), {});
             primvars.Interpolate(l, values, finer);
@@ -71,6 +70,16 @@ std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int 
     }
     if (max_row_level > 0) CopyRows(*refiner, max_row_level, levels);
     return levels;
+}
+
+}  // namespace
+
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface& surface, int max_level, int max_row_level) {
+    return Refine(surface, max_level, max_row_level);
+}
+
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const PolygonSurface& surface, int max_level, int max_row_level) {
+    return Refine(surface, max_level, max_row_level);
 }
 
 }  // namespace SolidSubdiv::Validation

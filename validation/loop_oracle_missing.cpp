@@ -9,4 +9,8 @@ std::vector<SurfaceLevel> RefineByOpenSubdiv(const ControlSurface&, int, int) {
     throw Unavailable{"OpenSubdiv was not found when this program was built (Debian: libosd-dev)"};
 }
 
+std::vector<SurfaceLevel> RefineByOpenSubdiv(const PolygonSurface&, int, int) {
+    throw Unavailable{"OpenSubdiv was not found when this program was built (Debian: libosd-dev)"};
+}
+
 }  // namespace SolidSubdiv::Validation

@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
-#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/sdc/errors.h>
 
+#include "catalogue.h"
 #include "solid_shapes.h"
 #include "surface_compare.h"
 #include "surface_shapes.h"
@@ -29,23 +29,6 @@ Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vecto
     scheme.features = tags.has_sharp_corners ? Sdc::Features::Sharp : Sdc::Features::Smooth;
     scheme.creasing = tags.is_chaikin ? Sdc::CreasingMethod::Chaikin : Sdc::CreasingMethod::Uniform;
     return CompareWithLoop(descriptor, scheme, triangles, positions, tags);
-}
-
-/// What an OBJ file says of sharpness. OpenSubdiv's own tools start from VTX_BOUNDARY_EDGE_ONLY.
-SurfaceTags TagsOf(const Io::Mesh& mesh) {
-    const Io::Creases creases = Io::CreasesOf(mesh);
-    SurfaceTags tags;
-    for (std::size_t i = 0; i < creases.edge_vertices.size(); i += 2)
-        tags.creases.push_back({creases.edge_vertices[i], creases.edge_vertices[i + 1]});
-    tags.crease_sharpness = creases.edge_sharpness;
-    tags.corners = creases.vertices;
-    tags.corner_sharpness = creases.vertex_sharpness;
-    for (const auto& [name, value] : mesh.scheme_options) {
-        // "none" makes holes of the faces at the border; points are those of "edge-only".
-        if (name == "boundary") tags.has_sharp_corners = value == "edge-and-corner";
-        if (name == "creasing") tags.is_chaikin = value == "chaikin";
-    }
-    return tags;
 }
 
 /// The surface with tags of every kind, under both creasing methods.

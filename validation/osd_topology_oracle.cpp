@@ -11,17 +11,19 @@ namespace SolidSubdiv::Validation {
 
 namespace Theirs = OpenSubdiv::Far;
 
-std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurface& surface, int max_level) {
-    const std::vector<int> arities(surface.triangles.size(), 3);
-    std::vector<int> corners;
-    for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
+namespace {
+
+using SdcOptions = OpenSubdiv::Sdc::Options;
+
+std::unique_ptr<Theirs::TopologyRefiner> Make(int n_vertices, const std::vector<int>& arities,
+                                              const std::vector<int>& corners, const SurfaceTags& tags,
+                                              OpenSubdiv::Sdc::SchemeType scheme, SdcOptions options, int max_level) {
     Theirs::TopologyDescriptor descriptor;
-    descriptor.numVertices = surface.n_vertices;
-    descriptor.numFaces = static_cast<int>(surface.triangles.size());
+    descriptor.numVertices = n_vertices;
+    descriptor.numFaces = static_cast<int>(arities.size());
     descriptor.numVertsPerFace = arities.data();
     descriptor.vertIndicesPerFace = corners.data();
 
-    const SurfaceTags& tags = surface.tags;
     std::vector<int> crease_ends;
     for (const auto& ends : tags.creases) crease_ends.insert(crease_ends.end(), ends.begin(), ends.end());
     descriptor.numCreases = static_cast<int>(tags.creases.size());
@@ -31,14 +33,11 @@ std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurf
     descriptor.cornerVertexIndices = tags.corners.data();
     descriptor.cornerWeights = tags.corner_sharpness.data();
 
-    using Options = OpenSubdiv::Sdc::Options;
-    Options options;
-    options.SetVtxBoundaryInterpolation(tags.has_sharp_corners ? Options::VTX_BOUNDARY_EDGE_AND_CORNER
-                                                               : Options::VTX_BOUNDARY_EDGE_ONLY);
-    options.SetCreasingMethod(tags.is_chaikin ? Options::CREASE_CHAIKIN : Options::CREASE_UNIFORM);
+    options.SetVtxBoundaryInterpolation(tags.has_sharp_corners ? SdcOptions::VTX_BOUNDARY_EDGE_AND_CORNER
+                                                               : SdcOptions::VTX_BOUNDARY_EDGE_ONLY);
+    options.SetCreasingMethod(tags.is_chaikin ? SdcOptions::CREASE_CHAIKIN : SdcOptions::CREASE_UNIFORM);
     using Factory = Theirs::TopologyRefinerFactory<Theirs::TopologyDescriptor>;
-    std::unique_ptr<Theirs::TopologyRefiner> refiner(
-        Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));
+    std::unique_ptr<Theirs::TopologyRefiner> refiner(Factory::Create(descriptor, Factory::Options(scheme, options)));
     if (!refiner) throw std::runtime_error("OpenSubdiv refuses the surface");
     Theirs::TopologyRefiner::UniformOptions uniform(max_level);
     uniform.fullTopologyInLastLevel = true;
@@ -46,11 +45,39 @@ std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurf
     return refiner;
 }
 
-void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, SurfaceLevel& to) {
+}  // namespace
+
+std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const ControlSurface& surface, int max_level) {
+    std::vector<int> corners;
+    for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
+    return Make(surface.n_vertices, std::vector<int>(surface.triangles.size(), 3), corners, surface.tags,
+                OpenSubdiv::Sdc::SCHEME_LOOP, {}, max_level);
+}
+
+std::unique_ptr<Theirs::TopologyRefiner> MakeOpenSubdivRefiner(const PolygonSurface& surface, int max_level) {
+    std::vector<int> arities, corners;
+    for (const Polygon& face : surface.faces) {
+        arities.push_back(static_cast<int>(face.size()));
+        corners.insert(corners.end(), face.begin(), face.end());
+    }
+    SdcOptions options;
+    options.SetTriangleSubdivision(surface.has_smooth_triangles ? SdcOptions::TRI_SUB_SMOOTH
+                                                                : SdcOptions::TRI_SUB_CATMARK);
+    return Make(surface.n_vertices, arities, corners, surface.tags,
+                surface.is_bilinear ? OpenSubdiv::Sdc::SCHEME_BILINEAR : OpenSubdiv::Sdc::SCHEME_CATMARK, options,
+                max_level);
+}
+
+void CopyTopology(const Theirs::TopologyLevel& from, bool is_last, SurfaceLevel& to, bool has_face_points) {
     to.n_vertices = from.GetNumVertices();
     for (int f = 0; f < from.GetNumFaces(); ++f) {
         const auto v = from.GetFaceVertices(f);
-        to.triangles.push_back({v[0], v[1], v[2]});
+        if (!has_face_points) {
+            to.triangles.push_back({v[0], v[1], v[2]});
+            continue;
+        }
+        to.faces.emplace_back(v.begin(), v.end());
+        if (!is_last) to.children_of_faces.push_back(from.GetFaceChildVertex(f));
     }
     for (int e = 0; e < from.GetNumEdges(); ++e) {
         const auto v = from.GetEdgeVertices(e);

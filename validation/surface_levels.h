@@ -11,6 +11,9 @@
 
 namespace SolidSubdiv::Validation {
 
+/// A face by its vertices, in order.
+using Polygon = std::vector<int>;
+
 /// One level of another program's refinement, and how it goes on: which vertices of the next level its parts become.
 struct SurfaceLevel {
     int n_vertices = 0;
@@ -20,6 +23,9 @@ struct SurfaceLevel {
 
     std::vector<int> children_of_vertices;  ///< (n_vertices), empty in the last level
     std::vector<int> children_of_edges;     ///< (n_edges)
+
+    std::vector<Polygon> faces;          ///< of surfaces of polygons, in place of triangles
+    std::vector<int> children_of_faces;  ///< (n_faces), empty in the last level
 
     /// Composite rows over the control vertices, in levels 1 to max_row_level: row v in [offsets[v], offsets[v + 1]).
     std::vector<std::int64_t> row_offsets;
@@ -42,6 +48,16 @@ struct ControlSurface {
     std::vector<Triangle> triangles;
     std::vector<double> positions;  ///< (n_vertices, 3)
     SurfaceTags tags{};
+};
+
+/// A surface of faces of any number of corners, under Catmull-Clark's rules or linearly.
+struct PolygonSurface {
+    int n_vertices = 0;  ///< all of them in some face
+    std::vector<Polygon> faces;
+    std::vector<double> positions;  ///< (n_vertices, 3)
+    SurfaceTags tags{};
+    bool has_smooth_triangles = false;  ///< TRI_SUB_SMOOTH; otherwise TRI_SUB_CATMARK
+    bool is_bilinear = false;           ///< SCHEME_BILINEAR; otherwise SCHEME_CATMARK
 };
 
 /// The surface with infinitely sharp edges and vertices.

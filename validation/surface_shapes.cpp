@@ -54,12 +54,19 @@ SurfaceShape Sheet(std::string name, int columns, int rows, bool wrapped) {
 }  // namespace
 
 SurfaceTags RandomTags(const std::vector<Triangle>& triangles, std::uint32_t seed, bool infinite) {
+    std::vector<Polygon> faces;
+    for (const Triangle& t : triangles) faces.emplace_back(t.begin(), t.end());
+    return RandomTags(faces, seed, infinite);
+}
+
+SurfaceTags RandomTags(const std::vector<Polygon>& faces, std::uint32_t seed, bool infinite) {
     std::map<std::array<int, 2>, int> faces_of_edge;
     std::set<int> vertices;
-    for (const Triangle& t : triangles) {
-        for (int i = 0; i < 3; ++i) {
-            ++faces_of_edge[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
-            vertices.insert(t[i]);
+    for (const Polygon& face : faces) {
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            const int a = face[i], b = face[(i + 1) % face.size()];
+            ++faces_of_edge[{std::min(a, b), std::max(a, b)}];
+            vertices.insert(a);
         }
     }
     std::mt19937 random(seed);

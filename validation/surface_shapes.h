@@ -19,6 +19,7 @@ struct SurfaceShape {
 /// infinite. No vertex has more than two semi-sharp edges: sums of more depend on their order, in single precision, and
 /// under Chaikin's rule whole branches hang on the last bit. @param infinite none but infinite ones
 SurfaceTags RandomTags(const std::vector<Triangle>& triangles, std::uint32_t seed, bool infinite);
+SurfaceTags RandomTags(const std::vector<Polygon>& faces, std::uint32_t seed, bool infinite);
 
 /// Manifold ones, then ones that meet themselves in a vertex or an edge.
 std::vector<SurfaceShape> OpenSurfaces();

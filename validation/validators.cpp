@@ -26,6 +26,16 @@ constexpr std::array kValidators = {
               "Loop surfaces, closed and open, with creases and corners = OpenSubdiv's: positions (levels 1-5) and "
               "composite rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopSurfaces},
+    Validator{
+        "catmark-surfaces",
+        "Catmull-Clark and linear surfaces of polygons, closed and open, with creases and corners = OpenSubdiv's: "
+        "positions (levels 1-4) and composite rows (levels 1-3), over the shape's size",
+        1e-12, kSumsOfWeights, ValidateCatmarkSurfaces},
+    Validator{"catmark-boundary",
+              "boundary of Catmull-Clark solids = OpenSubdiv's refinement of the boundary surface, with edges in one "
+              "cell as creases and vertices in one cell as corners: positions (levels 1-3) and composite rows (levels "
+              "1-2), over the shape's size",
+              1e-12, kSumsOfWeights, ValidateCatmarkBoundary},
     Validator{"butterfly-surfaces",
               "butterfly and modified butterfly surfaces, closed and open, with creases and corners = an independent "
               "program on OpenSubdiv's topology: positions (levels 1-4) and composite rows (levels 1-3), over the "

@@ -56,6 +56,8 @@ std::string HtmlOf(const std::vector<Outcome>& outcomes);
 // The validators, one a file.
 Findings ValidateLoopBoundary(const Context& context);
 Findings ValidateLoopSurfaces(const Context& context);
+Findings ValidateCatmarkSurfaces(const Context& context);
+Findings ValidateCatmarkBoundary(const Context& context);
 Findings ValidateButterflySurfaces(const Context& context);
 Findings ValidateButterflyBoundary(const Context& context);
 Findings ValidateButterflyPrograms(const Context& context);

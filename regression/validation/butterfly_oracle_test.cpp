@@ -264,8 +264,10 @@ TEST_F(ButterflyOracle, ComparisonOfLevelsCatchesFaults) {
 
 TEST_F(ButterflyOracle, ChildrenAreFoundFromTrianglesAndOddSplitsRefused) {
     // A tetrahedron split by hand: new vertices 4 to 9 on 01, 02, 03, 12, 13, 23.
-    SurfaceLevel coarse{4, {}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}, {}, {}, {}, {}, {}, {}};
-    SurfaceLevel fine{10, {}, {}, {}, {}, {}, {}, {}, {}};
+    SurfaceLevel coarse, fine;
+    coarse.n_vertices = 4;
+    coarse.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    fine.n_vertices = 10;
     const std::map<std::array<int, 2>, int> child = {{{0, 1}, 4}, {{0, 2}, 5}, {{0, 3}, 6},
                                                      {{1, 2}, 7}, {{1, 3}, 8}, {{2, 3}, 9}};
     const auto on = [&](int a, int b) { return child.at({std::min(a, b), std::max(a, b)}); };

@@ -288,7 +288,10 @@ class Builder {
                 const Offset start = p.face_vertex_offsets[first + f], end = p.face_vertex_offsets[first + f + 1];
                 return std::span<const Index>(p.face_vertices.data() + start, static_cast<std::size_t>(end - start));
             });
-            if (!is_closed) {
+            std::vector<Index> faces(p.faces.begin() + first, p.faces.begin() + p.offsets[c + 1]);
+            std::sort(faces.begin(), faces.end());
+            const bool has_face_twice = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
+            if (!is_closed || has_face_twice) {
                 findings_.open_cells.push_back(level_.n_hexes + c);
                 continue;
             }

@@ -4,9 +4,6 @@
 // A complex is refused with InvalidInput, or refines with rows that sum to one under every scheme that takes its
 // creases.
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include <solidsubdiv/far/choose_diagonals.h>
@@ -15,41 +12,15 @@
 #include <solidsubdiv/far/primvar_refiner.h>
 #include <solidsubdiv/far/stencil_table.h>
 
+#include "bytes.h"
+
 using namespace SolidSubdiv;
 
-namespace {
-
-class Bytes {
-  public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), end_(data + size) {}
-    int Next() { return data_ < end_ ? *data_++ : 0; }
-    bool empty() const { return data_ >= end_; }
-
-  private:
-    const std::uint8_t* data_;
-    const std::uint8_t* end_;
-};
-
-void Require(bool holds) {
-    if (!holds) std::abort();
-}
-
-void CheckTable(const Far::StencilTable& table) {
-    for (int l = 1; l <= table.n_levels(); ++l) {
-        const auto& rows = table.level(l);
-        for (Index i = 0; i < rows.n_rows(); ++i) {
-            double sum = 0;
-            for (double w : rows.Weights(i)) sum += w;
-            Require(std::abs(sum - 1) < 1e-12);
-            for (Index v : rows.Indices(i)) Require(v >= 0 && v < rows.n_sources);
-        }
-    }
-}
-
-}  // namespace
+using Fuzz::CheckTable;
+using Fuzz::Require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    Bytes bytes(data, size);
+    Fuzz::Bytes bytes(data, size);
     const Index n_vertices = bytes.Next() % 24;
     const int levels = bytes.Next() % 3;
     std::vector<Index> tets, octs, triangles, edges, creases, corners;
@@ -60,23 +31,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     };
     const Kind kinds[] = {{&tets, 4}, {&octs, 6}, {&triangles, 3}, {&edges, 2}};
     while (!bytes.empty() && tets.size() + octs.size() + triangles.size() + edges.size() < 400) {
-        // Mostly in range, so that whole complexes come about; 255 is out of it.
-        const auto add_vertex = [&](std::vector<Index>& vertices) {
-            const int b = bytes.Next();
-            vertices.push_back(b == 255 || n_vertices == 0 ? b - 256 : b % n_vertices);
-        };
-        const auto next_sharpness = [&] {
-            const int b = bytes.Next();
-            return b == 255 ? -1.0f : static_cast<float>(b) / 20;
-        };
+        const auto add_vertex = [&](std::vector<Index>& vertices) { vertices.push_back(bytes.NextVertex(n_vertices)); };
         const int what = bytes.Next();
         if (what >= 248) {
             add_vertex(corners);
-            corner_sharpness.push_back(next_sharpness());
+            corner_sharpness.push_back(bytes.NextSharpness());
         } else if (what >= 240) {
             add_vertex(creases);
             add_vertex(creases);
-            crease_sharpness.push_back(next_sharpness());
+            crease_sharpness.push_back(bytes.NextSharpness());
         } else {
             for (int k = 0; k < kinds[what % 4].arity; ++k) add_vertex(*kinds[what % 4].vertices);
         }

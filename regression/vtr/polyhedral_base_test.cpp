@@ -96,6 +96,13 @@ TEST(PolyhedralBase, FindsWhatIsWrong) {
         std::array<Index, 7>{0, 1, 2, 3, 4, 5, 6});
     EXPECT_EQ(findings_of(pinched).open_cells, std::vector<Index>{0});
 
+    PolyhedralShape nothing, pillow;
+    nothing.AddCell(std::vector<std::vector<Index>>{}, std::span<const Index>());
+    EXPECT_EQ(findings_of(nothing).open_cells, std::vector<Index>{0});
+    for (int i = 0; i < 4; ++i) pillow.AddVertex(i, i * i, 0);
+    pillow.AddCell(std::vector<std::vector<Index>>{{0, 1, 2, 3}, {3, 2, 1, 0}}, std::array<Index, 4>{0, 1, 2, 3});
+    EXPECT_EQ(findings_of(pillow).open_cells, std::vector<Index>{0});
+
     PolyhedralShape twisted = TestShapes::HexBlock(1);
     twisted.AddPolygon({4, 5, 6, 7});  // around the face they stand in the order 4 5 7 6
     EXPECT_EQ(findings_of(twisted).twisted_faces.size(), 1u);

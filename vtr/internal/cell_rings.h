@@ -18,10 +18,12 @@ struct CellRings {
     std::vector<Index> ring_offsets;            ///< (vertices + 1)
     std::vector<Index> ring_edges, ring_faces;  ///< around each corner, counterclockwise from outside
 
-    /// False if the faces are not those of a cell: each edge in two of them, which pass it in opposite directions, and
-    /// all faces at a corner in one ring. @param face(f) the vertices of face f, counterclockwise from outside
+    /// False if the faces are not those of a cell: three at least, each edge in two of them, which pass it in opposite
+    /// directions, and all faces at a corner in one ring. @param face(f) the vertices of face f, counterclockwise from
+    /// outside
     template <class Face>
     bool Find(Index n_faces, Face&& face) {
+        if (n_faces < 3) return false;
         vertices.clear();
         edges.clear();
         sides_.clear();

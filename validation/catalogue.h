@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes of OpenSubdiv's catalogue as the validators take them.
+// OpenSubdiv's catalogue of shapes as the validators take it.
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <solidsubdiv/kit/io/creases.h>
-#include <solidsubdiv/kit/io/mesh.h>
+#include <solidsubdiv/kit/io/formats.h>
+#include <solidsubdiv/sdc/errors.h>
 
+#include "findings.h"
 #include "surface_levels.h"
 
 namespace SolidSubdiv::Validation {
@@ -46,6 +51,43 @@ inline std::vector<Polygon> FacesOf(const Io::Mesh& mesh) {
                            t.polygon_vertices.begin() + t.polygon_offsets[static_cast<std::size_t>(i) + 1]);
     }
     return faces;
+}
+
+/// Compares every shape whose name starts with one of the prefixes: reason(mesh) says why it can't be, or nothing;
+/// compare(name, mesh) gives the findings.
+template <class Reason, class Compare>
+void CompareCatalogue(const std::filesystem::path& folder, std::initializer_list<std::string_view> prefixes,
+                      Reason&& reason, Compare&& compare, Findings& findings) {
+    if (!std::filesystem::is_directory(folder)) {
+        findings.skipped.push_back("OpenSubdiv's catalogue: there is no " + folder.string());
+        return;
+    }
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const auto starts = [&](std::string_view prefix) { return name.starts_with(prefix); };
+        if (name.ends_with(".obj") && std::any_of(prefixes.begin(), prefixes.end(), starts)) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    int n_compared = 0;
+    for (const std::filesystem::path& path : files) {
+        const std::string name = path.filename().string();
+        const Io::Mesh mesh = Io::ReadMesh(path);
+        try {
+            if (const std::string why = reason(mesh); !why.empty()) {
+                findings.skipped.push_back(name + ": " + why);
+                continue;
+            }
+            findings.Merge(compare(name, mesh), name);
+        } catch (const Error& error) {
+            findings.Fault(name + ": " + error.what());
+        }
+        ++n_compared;
+    }
+    findings.notes.push_back(std::to_string(n_compared) + " of " + std::to_string(files.size()) +
+                             " shapes of OpenSubdiv's catalogue compared");
 }
 
 }  // namespace SolidSubdiv::Validation

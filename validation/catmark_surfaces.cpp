@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include <solidsubdiv/kit/io/formats.h>
-#include <solidsubdiv/sdc/errors.h>
-
 #include "catalogue.h"
 #include "polygon_compare.h"
 #include "polygon_shapes.h"
@@ -72,41 +69,6 @@ std::string ReasonToSkip(const std::vector<Polygon>& faces, const std::vector<do
     return "";
 }
 
-void CompareCatalogue(const std::filesystem::path& folder, Findings& findings) {
-    if (!std::filesystem::is_directory(folder)) {
-        findings.skipped.push_back("OpenSubdiv's catalogue: there is no " + folder.string());
-        return;
-    }
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if ((name.starts_with("catmark_") || name.starts_with("bilinear_")) && name.ends_with(".obj")) {
-            files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    int n_compared = 0;
-    for (const std::filesystem::path& path : files) {
-        const std::string name = path.filename().string();
-        const Io::Mesh mesh = Io::ReadMesh(path);
-        const std::vector<Polygon> faces = FacesOf(mesh);
-        try {
-            if (const std::string reason = ReasonToSkip(faces, mesh.positions); !reason.empty()) {
-                findings.skipped.push_back(name + ": " + reason);
-                continue;
-            }
-            const bool smooth = name.starts_with("catmark_smoothtris");
-            findings.Merge(CompareSurface(faces, mesh.positions, TagsOf(mesh), smooth, name.starts_with("bilinear_")),
-                           name);
-        } catch (const Error& error) {
-            findings.Fault(name + ": " + error.what());
-        }
-        ++n_compared;
-    }
-    findings.notes.push_back(std::to_string(n_compared) + " of " + std::to_string(files.size()) +
-                             " shapes of OpenSubdiv's catalogue compared");
-}
-
 }  // namespace
 
 Findings ValidateCatmarkSurfaces(const Context& context) {
@@ -134,7 +96,14 @@ Findings ValidateCatmarkSurfaces(const Context& context) {
     findings.notes.push_back(std::to_string(n_shapes) +
                              " surfaces of ours, levels 1-4, plain, with smooth triangles, linear, and with random "
                              "creases and corners under both creasing methods");
-    CompareCatalogue(context.osd_shapes, findings);
+    CompareCatalogue(
+        context.osd_shapes, {"catmark_", "bilinear_"},
+        [](const Io::Mesh& mesh) { return ReasonToSkip(FacesOf(mesh), mesh.positions); },
+        [](const std::string& name, const Io::Mesh& mesh) {
+            return CompareSurface(FacesOf(mesh), mesh.positions, TagsOf(mesh), name.starts_with("catmark_smoothtris"),
+                                  name.starts_with("bilinear_"));
+        },
+        findings);
     return findings;
 }
 

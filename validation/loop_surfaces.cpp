@@ -5,9 +5,6 @@
 #include <map>
 #include <set>
 
-#include <solidsubdiv/kit/io/formats.h>
-#include <solidsubdiv/sdc/errors.h>
-
 #include "catalogue.h"
 #include "solid_shapes.h"
 #include "surface_compare.h"
@@ -92,38 +89,12 @@ std::string ReasonToSkip(const std::vector<Triangle>& triangles) {
     return "";
 }
 
-void CompareCatalogue(const std::filesystem::path& folder, Findings& findings) {
-    if (!std::filesystem::is_directory(folder)) {
-        findings.skipped.push_back("OpenSubdiv's catalogue: there is no " + folder.string());
-        return;
+std::vector<Triangle> TrianglesOf(const Io::Mesh& mesh) {
+    std::vector<Triangle> triangles(static_cast<std::size_t>(mesh.topology.n_triangles()));
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        std::copy_n(&mesh.topology.triangles[3 * t], 3, triangles[t].begin());
     }
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with("loop_") && name.ends_with(".obj")) files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
-    int n_compared = 0;
-    for (const std::filesystem::path& path : files) {
-        const std::string name = path.filename().string();
-        const Io::Mesh mesh = Io::ReadMesh(path);
-        std::vector<Triangle> triangles(static_cast<std::size_t>(mesh.topology.n_triangles()));
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            std::copy_n(&mesh.topology.triangles[3 * t], 3, triangles[t].begin());
-        }
-        if (const std::string reason = ReasonToSkip(triangles); !reason.empty()) {
-            findings.skipped.push_back(name + ": " + reason);
-            continue;
-        }
-        try {
-            findings.Merge(CompareSurface(triangles, mesh.positions, TagsOf(mesh)), name);
-        } catch (const Error& error) {
-            findings.Fault(name + ": " + error.what());
-        }
-        ++n_compared;
-    }
-    findings.notes.push_back(std::to_string(n_compared) + " of " + std::to_string(files.size()) +
-                             " shapes of OpenSubdiv's catalogue compared");
+    return triangles;
 }
 
 }  // namespace
@@ -139,7 +110,12 @@ Findings ValidateLoopSurfaces(const Context& context) {
     findings.notes.push_back(std::to_string(shapes.size()) +
                              " surfaces of ours, levels 1-5, each also with four sets of "
                              "random creases and corners");
-    CompareCatalogue(context.osd_shapes, findings);
+    CompareCatalogue(
+        context.osd_shapes, {"loop_"}, [](const Io::Mesh& mesh) { return ReasonToSkip(TrianglesOf(mesh)); },
+        [](const std::string&, const Io::Mesh& mesh) {
+            return CompareSurface(TrianglesOf(mesh), mesh.positions, TagsOf(mesh));
+        },
+        findings);
     return findings;
 }
 

@@ -101,9 +101,7 @@ class PolyhedralRows {
     template <class Real>
     std::size_t Fill(Index child, Index* indices, Real* weights, RowScratch& scratch) const {
         const auto [kind, i] = Locate(child);
-        if (scratch.notes.size() < static_cast<std::size_t>(level_.n_vertices)) {
-            scratch.notes.resize(static_cast<std::size_t>(level_.n_vertices));
-        }
+        scratch.MakeNotes(level_.n_vertices);
         if (const std::size_t room = MaxLength(child); scratch.sums.size() < room) scratch.sums.resize(2 * room);
         CentroidRow row(indices, scratch);
         switch (kind) {

@@ -14,6 +14,10 @@ namespace SolidSubdiv::Far::Internal {
 struct RowScratch {
     std::vector<std::uint32_t> notes;  ///< of each vertex of the level, whatever rows keep there
     std::vector<double> sums;          ///< of a row
+
+    void MakeNotes(Index n_vertices) {
+        if (notes.size() < static_cast<std::size_t>(n_vertices)) notes.resize(static_cast<std::size_t>(n_vertices));
+    }
 };
 
 /// Takes in weights of vertices, in room that somebody else has. A vertex that comes again adds to its weight.

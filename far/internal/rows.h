@@ -161,7 +161,7 @@ class Rows {
         if constexpr (UsesTwoNeighbors<Scheme>()) {
             const auto v = level_.OctVertices(o);
             std::copy(v.begin(), v.end(), indices);
-            MakeRoom(scratch);
+            scratch.MakeNotes(level_.n_vertices);
             return FillTwoNeighbors(scheme_, indices, weights, kOctLength, scratch,
                                     [&](auto&& add) { return two_neighbors_.VisitMajorDiagonal(o, add); });
         }
@@ -218,13 +218,9 @@ class Rows {
         int n = 2;
         const auto add = [&](Index v) { indices[n++] = v; };
         narrow_.ForEdgeNeighbors(e, add, add);
-        MakeRoom(scratch);
+        scratch.MakeNotes(level_.n_vertices);
         return FillTwoNeighbors(scheme_, indices, weights, n, scratch,
                                 [&](auto&& add_two) { return two_neighbors_.VisitEdge(e, add_two); });
-    }
-    void MakeRoom(RowScratch& scratch) const {
-        const std::size_t n = static_cast<std::size_t>(level_.n_vertices);
-        if (scratch.notes.size() < n) scratch.notes.resize(n);
     }
 
     /// Length of a row that must be made to be counted.

@@ -3,31 +3,15 @@
 #include <solidsubdiv/kit/geometry/surface_components.h>
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include <solidsubdiv/sdc/disjoint_sets.h>
 
 namespace SolidSubdiv::Geometry {
 
 namespace {
 
-/// Disjoint sets of 0 .. n - 1; the least member stands for its set.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-    std::size_t Find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void Unite(std::size_t i, std::size_t j) {
-        i = Find(i);
-        j = Find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
-};
+using Sdc::DisjointSets;
 
 /// A side of a triangle: the edge from corner `from` to corner `to` (places in the array of triangles).
 struct Side {

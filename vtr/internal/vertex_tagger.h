@@ -6,43 +6,13 @@
 // times at most; OtherEdgeAt(v, f, e), the other edge of f at v.
 #pragma once
 
-#include <algorithm>
-#include <numeric>
-#include <vector>
-
+#include <solidsubdiv/sdc/disjoint_sets.h>
 #include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/relation.h>
 #include <solidsubdiv/vtr/short_map.h>
 #include <solidsubdiv/vtr/tags.h>
 
 namespace SolidSubdiv::Vtr::Internal {
-
-/// Disjoint sets of small numbers.
-class Sets {
-  public:
-    void Reset(std::size_t n) {
-        parent_.resize(n);
-        std::iota(parent_.begin(), parent_.end(), 0);
-        n_sets_ = n;
-    }
-    std::size_t Find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void Join(std::size_t i, std::size_t j) {
-        i = Find(i);
-        j = Find(j);
-        if (i != j) {
-            parent_[i] = j;
-            --n_sets_;
-        }
-    }
-    std::size_t n_sets() const { return n_sets_; }
-
-  private:
-    std::vector<std::size_t> parent_;
-    std::size_t n_sets_ = 0;
-};
 
 template <class Complex>
 Tag TagOfEdge(const Complex& complex, Index e) {
@@ -132,7 +102,7 @@ class VertexTagger {
         complex_.ForCellFacesAt(v, [&](std::size_t cell, Index f) {
             const std::size_t other = static_cast<std::size_t>(cell_of_face_.Note(f, static_cast<Index>(cell)));
             if (other != cell) {
-                sets_.Join(other, cell);
+                sets_.Unite(other, cell);
                 return;
             }
             ++link_edges;
@@ -177,7 +147,7 @@ class VertexTagger {
     }
     const Complex& complex_;
     Vtr::ShortMap cell_of_face_;
-    Sets sets_;
+    Sdc::DisjointSets sets_;
 };
 
 /// Fills edge_tags and vertex_tags; the complex sees edge_tags. Source: rules.md section 7 (chang2003interpolatory).

@@ -69,6 +69,7 @@ bool RecognizeOctahedron(std::span<const Index> listed, std::span<const Index> t
         }
         if (opposite == 6) return false;
         if (opposite < i) continue;
+        if (n == 6) return false;  // several have the same opposite: it will have several
         oct[n++] = six[i];
         oct[n++] = six[opposite];
     }

@@ -89,6 +89,10 @@ TEST(Octahedron, OtherPolyhedraOfSixVerticesAndEightTrianglesAreNone) {
     std::vector<Index> doubled = Flat(Internal::OctahedronFaces(Oct{0, 1, 2, 3, 4, 5}));
     std::copy_n(doubled.begin(), 3, doubled.begin() + 21);  // one face twice, one missing
     EXPECT_FALSE(Internal::RecognizeOctahedron({}, doubled, oct));
+
+    // Four vertices whose only opposite is the same fifth: more than three pairs, if one counts before it is asked.
+    const std::vector<Index> one_for_all = {0, 1, 2, 0, 3, 4, 1, 3, 4, 2, 3, 4, 0, 1, 2, 0, 1, 2, 0, 1, 2, 4, 5, 4};
+    EXPECT_FALSE(Internal::RecognizeOctahedron({}, one_for_all, oct));
 }
 
 TEST(Octahedron, CutIntoFourPositiveTetsAroundTheMajorDiagonal) {

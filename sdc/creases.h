@@ -34,6 +34,12 @@ struct CreaseOptions {
     bool sharp_cells = false;    ///< edges in one cell are creases, vertices in one cell corners
 };
 
+/// Those of a solid scheme with `features`.
+constexpr CreaseOptions SolidCreases(Features features, CreasingMethod method = CreasingMethod::Uniform) {
+    const bool is_sharp = features == Features::Sharp;
+    return {method, is_sharp, is_sharp};
+}
+
 /// Sharpness of a vertex's child, and under CreasingMethod::Uniform of an edge's children.
 inline float Decay(float sharpness) {
     if (IsInfinitelySharp(sharpness)) return kInfinitelySharp;

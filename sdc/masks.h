@@ -40,6 +40,15 @@ struct VertexWeights {
     double self, edge, oct;
 };
 
+/// The cells at a vertex, for schemes whose rule there goes by cells.
+struct VertexCells {
+    int n_tets = 0, n_octs = 0;
+};
+/// self + tet * sum(other vertices of each tet) + oct * sum(neighbours in each oct) + opposite * sum(those opposite)
+struct CellVertexWeights {
+    double self, tet, oct, opposite;
+};
+
 struct EdgeCounts {
     int n_faces = 0;         ///< faces seen at the edge
     int n_octs = 0;          ///< octs seen

@@ -64,6 +64,8 @@ void BoxSpline::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, edge_rule);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, diagonals);
     if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, loop_weights);
+    if (name == kOptions[3].name) return SetChoice(kName, kOptions[3], value, features);
+    if (name == kOptions[4].name) return SetChoice(kName, kOptions[4], value, creasing);
     UnknownOption(kName, name);
 }
 
@@ -76,6 +78,7 @@ void BoxSpline::Validate() const {
 void Interpolatory::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, tension);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, boundary);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, features);
     UnknownOption(kName, name);
 }
 void Interpolatory::Validate() const { RequireTension(kName, kOptions[0], tension); }
@@ -107,6 +110,13 @@ void CatmullClark::SetOption(std::string_view name, std::string_view value) {
 void CatmullClarkSolid::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, features);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, creasing);
+    UnknownOption(kName, name);
+}
+
+void SmoothTet::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, features);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, creasing);
     UnknownOption(kName, name);
 }
 

@@ -25,6 +25,12 @@ constexpr bool UsesTwoNeighbors() {
     return false;
 }
 
+/// Whether a scheme's rule at a vertex inside a solid goes by the cells there.
+template <class Scheme>
+constexpr bool kWeighsByCells = requires(const Scheme& s) {
+    s.Vertex(Sdc::VertexCells{});
+};
+
 template <class Scheme>
 class NarrowRows {
   public:
@@ -85,12 +91,15 @@ class NarrowRows {
     /// Calls add(vertex, weight) for the row of the point at vertex v: v first, then its neighbours.
     template <class Real, class Add>
     void VisitVertex(Index v, Add&& add) const {
+        if constexpr (kWeighsByCells<Scheme>) {
+            if (level_.vertex_tags[v].rule() == Rule::Solid) return VisitVertexByCells<Real>(v, add);
+        }
         const VertexCounts n = CountAtVertex(v);
         double self = 1, edge = 0, oct = 0;
         if (n.edges + n.octs > 0) {
             switch (level_.vertex_tags[v].rule()) {
                 case Rule::Solid:
-                    if constexpr (Scheme::kSolids) {
+                    if constexpr (Scheme::kSolids && !kWeighsByCells<Scheme>) {
                         const Sdc::VertexWeights w = scheme_.Vertex({n.edges, n.octs});
                         self = w.self, edge = w.edge, oct = w.oct;
                     }
@@ -112,6 +121,21 @@ class NarrowRows {
         add(v, static_cast<Real>(self));
         ForVertexNeighbors(
             v, [&](Index neighbor) { add(neighbor, edge_weight); }, [&](Index far) { add(far, oct_weight); });
+    }
+
+    /// The same at a vertex inside a solid. An edge's end lies in as many cells as the edge, which are as many as its
+    /// faces; a tet has three edges at each vertex.
+    template <class Real, class Add>
+    void VisitVertexByCells(Index v, Add&& add) const {
+        const int n_octs = level_.vertex_octs.Count(v);
+        int n_tet_edges = 0;
+        ForVertexEdges(v, [&](Index e) { n_tet_edges += CountTetsAtEdge(e); });
+        const Sdc::CellVertexWeights w = scheme_.Vertex(Sdc::VertexCells{n_tet_edges / 3, n_octs});
+        add(v, static_cast<Real>(w.self));
+        ForVertexEdges(v, [&](Index e) {
+            add(OtherEnd(e, v), static_cast<Real>(w.tet * CountTetsAtEdge(e) + w.oct * level_.edge_octs.Count(e)));
+        });
+        ForOctVerticesAtVertex(v, [&](Index far) { add(far, static_cast<Real>(w.opposite)); });
     }
 
     /// The same for a new point on edge e: the ends first, then third vertices of faces, then vertices of octahedra.
@@ -167,9 +191,7 @@ class NarrowRows {
             case Rule::Solid:
                 if constexpr (Scheme::kSolids) {
                     if (!footprint_.vertex_ring) return;
-                    for (Index e : level_.vertex_edges[v]) {
-                        if (!tag.non_manifold() || level_.edge_tags[e].in_cell()) on_edge(OtherEnd(e, v));
-                    }
+                    ForVertexEdges(v, [&](Index e) { on_edge(OtherEnd(e, v)); });
                     ForOctVerticesAtVertex(v, on_oct);
                 }
                 return;
@@ -197,6 +219,25 @@ class NarrowRows {
             case Rule::Corner:
                 return;
         }
+    }
+
+    /// Edges of the solid at a vertex inside it: sheets and curves may end there.
+    template <class OnEdge>
+    void ForVertexEdges(Index v, OnEdge&& on_edge) const {
+        const bool all = !level_.vertex_tags[v].non_manifold();
+        for (Index e : level_.vertex_edges[v]) {
+            if (all || level_.edge_tags[e].in_cell()) on_edge(e);
+        }
+    }
+    /// At an edge inside a solid.
+    int CountTetsAtEdge(Index e) const {
+        int n_cells = level_.edge_faces.Count(e);
+        if (level_.edge_tags[e].non_manifold()) {
+            const auto faces = level_.edge_faces[e];
+            n_cells = static_cast<int>(
+                std::count_if(faces.begin(), faces.end(), [&](Index f) { return IsInRing(level_.face_tags[f]); }));
+        }
+        return n_cells - level_.edge_octs.Count(e);
     }
 
     int CountOctsAtVertex(Index v) const {

@@ -9,9 +9,10 @@
 #include <string>
 #include <string_view>
 
+#include <solidsubdiv/sdc/common_options.h>
+#include <solidsubdiv/sdc/creases.h>
 #include <solidsubdiv/sdc/errors.h>
 #include <solidsubdiv/sdc/masks.h>
-#include <solidsubdiv/sdc/options.h>
 
 namespace SolidSubdiv::Sdc {
 
@@ -29,16 +30,19 @@ struct BoxSpline {
     EdgeRule edge_rule = EdgeRule::BoxSpline;
     Diagonals diagonals = Diagonals::Directional;
     LoopWeights loop_weights = LoopWeights::Loop;
+    Features features = Features::Smooth;
+    CreasingMethod creasing = CreasingMethod::Uniform;
 
     static constexpr std::string_view kName = "box-spline";
     static constexpr std::string_view kSummary = "approximating tet/oct solids: C2 box splines, Loop boundary";
     static constexpr bool kSolids = true;
-    static constexpr std::array<OptionInfo, 3> kOptions{
-        {{"edge-rule", "", "box-spline|printed-2002", "box-spline",
-          "mask of inner edges; printed-2002 is the paper's wording"},
-         {"diagonals", "", "directional|averaged", "directional",
-          "averaged: no major diagonals, independent of input order"},
-         {"loop-weights", "", "loop|warren", "loop", "weights of boundary vertices"}}};
+    static constexpr std::array<OptionInfo, 5> kOptions{{{"edge-rule", "", "box-spline|printed-2002", "box-spline",
+                                                          "mask of inner edges; printed-2002 is the paper's wording"},
+                                                         {"diagonals", "", "directional|averaged", "directional",
+                                                          "averaged: no major diagonals, independent of input order"},
+                                                         kLoopWeightsOption,
+                                                         kSmoothSolidOption,
+                                                         kCreasingOption}};
 
     /// @throws InvalidInput for an unknown name or value
     void SetOption(std::string_view name, std::string_view value);
@@ -78,6 +82,7 @@ struct BoxSpline {
 
     LoopSurface surface() const { return {loop_weights}; }
     CubicCurve curve() const { return {}; }
+    CreaseOptions creases() const { return SolidCreases(features, creasing); }
 };
 
 }  // namespace SolidSubdiv::Sdc

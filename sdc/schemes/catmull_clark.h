@@ -7,8 +7,8 @@
 #include <array>
 #include <string_view>
 
+#include <solidsubdiv/sdc/common_options.h>
 #include <solidsubdiv/sdc/creases.h>
-#include <solidsubdiv/sdc/options.h>
 #include <solidsubdiv/sdc/polyhedral_masks.h>
 
 namespace SolidSubdiv::Sdc {
@@ -24,7 +24,7 @@ struct CatmullClark {
     static constexpr bool kTetOct = false, kPolyhedral = true;
     static constexpr std::array<OptionInfo, 3> kOptions{
         {{"features", "", "smooth|sharp", "smooth", "sharp: vertices in one face of an open surface stay"},
-         {"creasing", "", "uniform|chaikin", "uniform", "how semi-sharp creases pass their sharpness on"},
+         kCreasingOption,
          {"triangles", "", "catmull-clark|smooth", "catmull-clark", "weights of new points on edges of triangles"}}};
 
     void SetOption(std::string_view name, std::string_view value);

@@ -7,8 +7,8 @@
 #include <array>
 #include <string_view>
 
+#include <solidsubdiv/sdc/common_options.h>
 #include <solidsubdiv/sdc/creases.h>
-#include <solidsubdiv/sdc/options.h>
 #include <solidsubdiv/sdc/polyhedral_masks.h>
 
 namespace SolidSubdiv::Sdc {
@@ -21,19 +21,13 @@ struct CatmullClarkSolid {
     static constexpr std::string_view kSummary = "approximating solids of any cells: tricubic on hexahedra";
     static constexpr bool kSolids = true;
     static constexpr bool kTetOct = false, kPolyhedral = true;
-    static constexpr std::array<OptionInfo, 2> kOptions{
-        {{"features", "", "smooth|sharp", "sharp",
-          "sharp: edges in one cell are creases, vertices in one cell corners"},
-         {"creasing", "", "uniform|chaikin", "uniform", "how semi-sharp creases pass their sharpness on"}}};
+    static constexpr std::array<OptionInfo, 2> kOptions{kSharpSolidOption, kCreasingOption};
 
     void SetOption(std::string_view name, std::string_view value);
     void Validate() const {}
 
     PolyhedralRules polyhedral() const { return {}; }
-    CreaseOptions creases() const {
-        const bool is_sharp = features == Features::Sharp;
-        return {creasing, is_sharp, is_sharp};
-    }
+    CreaseOptions creases() const { return SolidCreases(features, creasing); }
 };
 
 }  // namespace SolidSubdiv::Sdc

@@ -8,9 +8,10 @@
 #include <array>
 #include <string_view>
 
+#include <solidsubdiv/sdc/common_options.h>
+#include <solidsubdiv/sdc/creases.h>
 #include <solidsubdiv/sdc/interpolating_masks.h>
 #include <solidsubdiv/sdc/masks.h>
-#include <solidsubdiv/sdc/options.h>
 
 namespace SolidSubdiv::Sdc {
 
@@ -24,15 +25,17 @@ struct TwoNeighborWeights {
 struct Interpolatory {
     double tension = 1.0 / 16.0;  ///< w in [0, 1/8); 0: linear, 1/16: reproduces cubics
     ButterflyKind boundary = ButterflyKind::Modified;
+    Features features = Features::Smooth;
 
     static constexpr std::string_view kName = "interpolatory";
     static constexpr std::string_view kSummary = "interpolatory tet/oct solids with a tension, butterfly boundary";
     static constexpr bool kSolids = true;
     static constexpr bool kVerticesStay = true;
     static constexpr bool kTwoNeighbors = true;
-    static constexpr std::array<OptionInfo, 2> kOptions{
+    static constexpr std::array<OptionInfo, 3> kOptions{
         {{"tension", "", kNumber, "1/16", "from 0 (linear) to below 1/8; C1 up to 1/16, which reproduces cubics"},
-         {"butterfly", "", "modified|plain", "modified", "which butterfly the boundary follows"}}};
+         {"butterfly", "", "modified|plain", "modified", "which butterfly the boundary follows"},
+         kSmoothSolidOption}};
 
     void SetOption(std::string_view name, std::string_view value);
     /// @throws InvalidInput if the tension is outside [0, 1/8): the process converges there only
@@ -50,6 +53,7 @@ struct Interpolatory {
 
     ButterflySurface surface() const { return {boundary == ButterflyKind::Modified, 0, 16 * tension}; }
     FourPointCurve curve() const { return {tension}; }
+    CreaseOptions creases() const { return SolidCreases(features); }
 };
 
 }  // namespace SolidSubdiv::Sdc

@@ -7,9 +7,9 @@
 #include <array>
 #include <string_view>
 
+#include <solidsubdiv/sdc/common_options.h>
 #include <solidsubdiv/sdc/creases.h>
 #include <solidsubdiv/sdc/masks.h>
-#include <solidsubdiv/sdc/options.h>
 
 namespace SolidSubdiv::Sdc {
 
@@ -22,9 +22,9 @@ struct Loop {
     static constexpr std::string_view kSummary = "approximating triangle surfaces: C2 quartic box splines";
     static constexpr bool kSolids = false;
     static constexpr std::array<OptionInfo, 3> kOptions{
-        {{"loop-weights", "", "loop|warren", "loop", "weights of vertices"},
+        {kLoopWeightsOption,
          {"features", "", "smooth|sharp", "smooth", "sharp: vertices in one triangle of an open surface stay"},
-         {"creasing", "", "uniform|chaikin", "uniform", "how semi-sharp creases pass their sharpness on"}}};
+         kCreasingOption}};
 
     void SetOption(std::string_view name, std::string_view value);
     void Validate() const {}

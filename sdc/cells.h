@@ -24,6 +24,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace SolidSubdiv::Sdc {
@@ -65,6 +66,15 @@ struct Hex {
         {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
     static constexpr std::array<std::array<Local, 4>, 6> faces{
         {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+    /// How many edges lie between two vertices.
+    static constexpr int Distance(int a, int b) { return std::popcount(Place(a) ^ Place(b)); }
+
+  private:
+    /// One bit an axis.
+    static constexpr unsigned Place(int vertex) {
+        const unsigned i = static_cast<unsigned>(vertex);
+        return i ^ ((i >> 1) & 1);
+    }
 };
 
 /// Triangular prism, in VTK's order: 0 1 2 counterclockwise from outside, 3 4 5 beside them.

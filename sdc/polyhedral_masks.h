@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules of the schemes of the polyhedral split: sums of centroids around a vertex, an edge or a face.
 //
-// A centroid is the mean of the vertices. Source: rules.md section 4 (MacCracken and Joy 1996, maccracken1996; its
-// boundary Catmull and Clark 1978, catmull1978).
+// A centroid is the mean of the vertices. Source: rules.md sections 4 and 4b (MacCracken and Joy 1996, maccracken1996;
+// its boundary Catmull and Clark 1978, catmull1978; Bajaj, Schaefer, Warren, Xu 2002, bajaj2002).
 #pragma once
 
 namespace SolidSubdiv::Sdc {
@@ -13,9 +13,19 @@ enum class TriangleWeights {
     Smooth         ///< OpenSubdiv's TRI_SUB_SMOOTH
 };
 
+/// Where new points go inside a solid, or on a surface.
+enum class PolyhedralRule {
+    CatmullClark,  ///< the masks below
+    Linear,        ///< the centroid of what the point lies in
+    Averaged       ///< the mean of the centroids of the cells, or faces, that the linear split makes there
+};
+
 struct PolyhedralRules {
-    bool is_linear = false;  ///< every new point is the centroid of what it lies in
+    PolyhedralRule solid = PolyhedralRule::CatmullClark;
+    PolyhedralRule surface = PolyhedralRule::CatmullClark;
     TriangleWeights triangles = TriangleWeights::CatmullClark;
+
+    bool is_linear() const { return solid == PolyhedralRule::Linear; }
 
     /// Inside a solid, in the face: face * its centroid + cell * (C0 + C1)
     struct Face {

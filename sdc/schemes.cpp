@@ -120,6 +120,13 @@ void SmoothTet::SetOption(std::string_view name, std::string_view value) {
     UnknownOption(kName, name);
 }
 
+void Mlca::SetOption(std::string_view name, std::string_view value) {
+    if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, features);
+    if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, creasing);
+    if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, surface);
+    UnknownOption(kName, name);
+}
+
 void Loop::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetChoice(kName, kOptions[0], value, loop_weights);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, features);

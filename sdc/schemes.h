@@ -17,17 +17,18 @@
 #include <solidsubdiv/sdc/schemes/linear_solid.h>
 #include <solidsubdiv/sdc/schemes/linear_surface.h>
 #include <solidsubdiv/sdc/schemes/loop.h>
+#include <solidsubdiv/sdc/schemes/mlca.h>
 #include <solidsubdiv/sdc/schemes/smooth_tet.h>
 
 /// Calls macro(Type) for every scheme.
 #define SOLIDSUBDIV_FOR_EACH_SCHEME(macro)                                                                         \
-    macro(BoxSpline) macro(SmoothTet) macro(Interpolatory) macro(CatmullClarkSolid) macro(LinearSolid) macro(Loop) \
-        macro(Butterfly) macro(ModifiedButterfly) macro(CatmullClark) macro(LinearSurface)
+    macro(BoxSpline) macro(SmoothTet) macro(Interpolatory) macro(CatmullClarkSolid) macro(Mlca) macro(LinearSolid) \
+        macro(Loop) macro(Butterfly) macro(ModifiedButterfly) macro(CatmullClark) macro(LinearSurface)
 
 namespace SolidSubdiv::Sdc {
 
 /// Any scheme with its options, for programs that choose at run time: std::visit gives the static type back.
-using Scheme = std::variant<BoxSpline, SmoothTet, Interpolatory, CatmullClarkSolid, LinearSolid, Loop, Butterfly,
+using Scheme = std::variant<BoxSpline, SmoothTet, Interpolatory, CatmullClarkSolid, Mlca, LinearSolid, Loop, Butterfly,
                             ModifiedButterfly, CatmullClark, LinearSurface>;
 
 /// Whether a scheme refines what a split makes: the tet/oct split unless it says otherwise.

@@ -120,10 +120,13 @@ Findings ValidateCatmarkBoundary(const Context&) {
         const SurfaceTags sharp = SharpFeaturesOf(shape);
         const auto compare = [&](const std::string& name, Sdc::Features features, const SurfaceTags& ours,
                                  const SurfaceTags& theirs) {
-            findings.Merge(
-                CompareWithCatmark(mesh, Sdc::CatmullClarkSolid{.features = features},
-                                   TakePolygons(faces, shape.positions, theirs), shape.positions, ours, {3, 2}),
-                shape.name + ", " + name);
+            const Sdc::Mlca mlca{.features = features, .surface = Sdc::BoundarySurface::CatmullClark};
+            for (const Sdc::Scheme& scheme :
+                 {Sdc::Scheme(Sdc::CatmullClarkSolid{.features = features}), Sdc::Scheme(mlca)}) {
+                findings.Merge(CompareWithCatmark(mesh, scheme, TakePolygons(faces, shape.positions, theirs),
+                                                  shape.positions, ours, {3, 2}),
+                               shape.name + ", " + std::string(Sdc::NameOf(scheme)) + ", " + name);
+            }
         };
         compare("smooth", Sdc::Features::Smooth, {}, {});
         compare("sharp", Sdc::Features::Sharp, {}, sharp);

@@ -19,7 +19,7 @@ constexpr std::string_view kSumsOfSignedWeights =
 
 constexpr std::array kValidators = {
     Validator{"loop-boundary",
-              "boundary of box-spline solids = OpenSubdiv's Loop refinement of the boundary surface: "
+              "boundary of box-spline and smooth-tet solids = OpenSubdiv's Loop refinement of the boundary surface: "
               "positions (levels 1-4) and composite rows (levels 1-3), over the shape's size",
               1e-12, kSumsOfWeights, ValidateLoopBoundary},
     Validator{"loop-surfaces",
@@ -32,7 +32,8 @@ constexpr std::array kValidators = {
         "positions (levels 1-4) and composite rows (levels 1-3), over the shape's size",
         1e-12, kSumsOfWeights, ValidateCatmarkSurfaces},
     Validator{"catmark-boundary",
-              "boundary of Catmull-Clark solids = OpenSubdiv's refinement of the boundary surface, with edges in one "
+              "boundary of Catmull-Clark solids, and of mlca ones with that surface = OpenSubdiv's refinement of the "
+              "boundary surface, with edges in one "
               "cell as creases and vertices in one cell as corners: positions (levels 1-3) and composite rows (levels "
               "1-2), over the shape's size",
               1e-12, kSumsOfWeights, ValidateCatmarkBoundary},
@@ -56,6 +57,11 @@ constexpr std::array kValidators = {
               "sums of at most a hundred terms of size 1, the closed form exact to a few units of round-off: 1e-14 at "
               "most, and a hundred times that",
               ValidateBoxSplineRegular},
+    Validator{"cell-averaging",
+              "smooth-tet inside solids of tets and octahedra, mlca on solids of any cells and their boundaries = a "
+              "linear split and averages over the new cells, made the plain way: each level (1-2) from the one before, "
+              "over the shape's size",
+              1e-12, kSumsOfWeights, ValidateCellAveraging},
     Validator{"counts",
               "numbers of vertices, edges, faces and cells = those of the refined cells' vertex sets, of the "
               "formulas, and of the paper (28 -> 7280, 20 -> 5200 cells)",

@@ -4,48 +4,16 @@
 // Rules speak of centroids of cells, faces and edges around a place; a row sums the vertices that these are means of.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
-#include <span>
 
-#include <solidsubdiv/far/internal/row_entries.h>
+#include <solidsubdiv/far/internal/cell_averages.h>
+#include <solidsubdiv/far/internal/centroid_row.h>
 #include <solidsubdiv/far/internal/sharpness.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/polyhedral_masks.h>
 #include <solidsubdiv/vtr/polyhedral_level.h>
 
 namespace SolidSubdiv::Far::Internal {
-
-/// A row being summed from vertices and means of vertices; each vertex has one entry.
-class CentroidRow {
-  public:
-    /// @param scratch has notes of all vertices and room for the row's sums
-    CentroidRow(Index* indices, RowScratch& scratch)
-        : indices_(indices), notes_(scratch.notes.data()), sums_(scratch.sums.data()) {}
-
-    void Add(Index v, double weight) {
-        const std::uint32_t noted = notes_[v];
-        if (noted < n_ && indices_[noted] == v) {
-            sums_[noted] += weight;
-        } else {
-            notes_[v] = n_;
-            indices_[n_] = v;
-            sums_[n_++] = weight;
-        }
-    }
-    void AddMean(std::span<const Index> vertices, double weight) {
-        const double share = weight / static_cast<double>(vertices.size());
-        for (Index v : vertices) Add(v, share);
-    }
-    int size() const { return static_cast<int>(n_); }
-    double operator[](int i) const { return sums_[i]; }
-
-  private:
-    Index* indices_;
-    std::uint32_t* notes_;
-    double* sums_;
-    std::uint32_t n_ = 0;
-};
 
 class PolyhedralRows {
   public:
@@ -97,7 +65,7 @@ class PolyhedralRows {
         return n;
     }
 
-    /// Fills the row and returns its length: the parent vertex or vertices first. Room for MaxLength(child) is needed.
+    /// Fills the row and returns its length. Room for MaxLength(child) is needed.
     template <class Real>
     std::size_t Fill(Index child, Index* indices, Real* weights, RowScratch& scratch) const {
         const auto [kind, i] = Locate(child);
@@ -115,7 +83,7 @@ class PolyhedralRows {
                 AddFace(i, row);
                 break;
             case Kind::Cell:
-                row.AddMean(level_.CellVertices(i), 1);
+                AddCell(i, row);
         }
         for (int k = 0; k < row.size(); ++k) weights[k] = static_cast<Real>(row[k]);
         return static_cast<std::size_t>(row.size());
@@ -136,9 +104,24 @@ class PolyhedralRows {
         return {Kind::Cell, child - level_.n_faces};
     }
 
+    void AddCell(Index c, CentroidRow& row) const {
+        const auto vertices = level_.CellVertices(c);
+        // Of a hexahedron's corners none is special.
+        if (rules_.solid != Sdc::PolyhedralRule::Averaged || level_.IsHex(c)) return row.AddMean(vertices, 1);
+        for (Index v : vertices) AddNewCell(level_, c, v, 1 / static_cast<double>(vertices.size()), row);
+    }
+
     void AddFace(Index f, CentroidRow& row) const {
         const auto cells = level_.FaceCells(f);
-        if (rules_.is_linear || level_.IsBoundary(f)) return row.AddMean(level_.FaceVertices(f), 1);
+        if (rules_.is_linear() || level_.IsBoundary(f)) return row.AddMean(level_.FaceVertices(f), 1);
+        if (rules_.solid == Sdc::PolyhedralRule::Averaged) {
+            const auto vertices = level_.FaceVertices(f);
+            const double share = 0.5 / static_cast<double>(vertices.size());
+            for (Index c : cells) {
+                for (Index v : vertices) AddNewCell(level_, c, v, share, row);
+            }
+            return;
+        }
         const auto w = Sdc::PolyhedralRules::SolidFace();
         row.AddMean(level_.FaceVertices(f), w.face);
         for (Index c : cells) row.AddMean(level_.CellVertices(c), w.cell);
@@ -147,10 +130,11 @@ class PolyhedralRows {
     void AddEdge(Index e, CentroidRow& row) const {
         const auto ends = level_.EdgeVertices(e);
         const Vtr::Rule rule = level_.edge_tags[e].rule();
-        if (rules_.is_linear || rule == Vtr::Rule::Curve) return row.AddMean(ends, 1);
+        if (rules_.is_linear() || rule == Vtr::Rule::Curve) return row.AddMean(ends, 1);
         if (rule == Vtr::Rule::Solid) {
             int n = 0;
             for (Index f : level_.edge_faces[e]) n += level_.NCells(f) == 2;
+            if (rules_.solid == Sdc::PolyhedralRule::Averaged) return AddAveragedEdge(e, 0.25 / n, row);
             const auto w = Sdc::PolyhedralRules::SolidEdgeOf(n);
             row.AddMean(ends, w.middle);
             for (Index f : level_.edge_faces[e]) {
@@ -166,6 +150,14 @@ class PolyhedralRows {
         for (Index f : level_.edge_faces[e]) {
             if (level_.IsBoundary(f)) (faces[0] == kNoIndex ? faces[0] : faces[1]) = f;
         }
+        if (rules_.surface == Sdc::PolyhedralRule::Averaged) {
+            row.AddMean(ends, crease);
+            if (smooth == 0) return;
+            for (Index f : faces) {
+                for (Index v : ends) AddNewFace(level_, f, CornerOf(f, v), smooth / 4, row);
+            }
+            return;
+        }
         const auto is_triangle = [&](Index f) { return level_.FaceVertices(f).size() == 3; };
         const auto w = rules_.SurfaceEdgeOf(is_triangle(faces[0]), is_triangle(faces[1]));
         for (Index v : ends) row.Add(v, 0.5 * crease + w.end * smooth);
@@ -173,9 +165,24 @@ class PolyhedralRows {
         for (Index f : faces) row.AddMean(level_.FaceVertices(f), w.face * smooth);
     }
 
+    std::size_t CornerOf(Index f, Index v) const {
+        const auto vertices = level_.FaceVertices(f);
+        return static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+    }
+
+    /// Each cell at the edge has two faces there, each face with two cells, and a new cell at each end.
+    void AddAveragedEdge(Index e, double share, CentroidRow& row) const {
+        for (Index f : level_.edge_faces[e]) {
+            if (level_.NCells(f) != 2) continue;
+            for (Index c : level_.FaceCells(f)) {
+                for (Index v : level_.EdgeVertices(e)) AddNewCell(level_, c, v, share, row);
+            }
+        }
+    }
+
     void AddVertex(Index v, CentroidRow& row) const {
         const Vtr::Tag tag = level_.vertex_tags[v];
-        if (rules_.is_linear || tag.rule() == Vtr::Rule::Corner) return row.Add(v, 1);
+        if (rules_.is_linear() || tag.rule() == Vtr::Rule::Corner) return row.Add(v, 1);
         if (tag.rule() == Vtr::Rule::Solid) return AddSolidVertex(v, row);
         if (!sharp_.ChangesVertex(v)) {
             if (tag.rule() == Vtr::Rule::Surface) return AddSurfaceVertex(v, 1, row);
@@ -195,8 +202,12 @@ class PolyhedralRows {
     }
 
     void AddSolidVertex(Index v, CentroidRow& row) const {
-        const auto w = Sdc::PolyhedralRules::SolidVertexRule();
         const auto cells = level_.vertex_cells[v];
+        if (rules_.solid == Sdc::PolyhedralRule::Averaged) {
+            for (Index c : cells) AddNewCell(level_, c, v, 1 / static_cast<double>(cells.size()), row);
+            return;
+        }
+        const auto w = Sdc::PolyhedralRules::SolidVertexRule();
         int n_edges = 0, n_sides = 0;  // each face at v has two edges there
         for (Index e : level_.vertex_edges[v]) {
             if (!level_.edge_tags[e].in_cell()) continue;
@@ -219,6 +230,14 @@ class PolyhedralRows {
         const int n_cells = level_.vertex_tags[v].in_cell() ? 1 : 0;  // of the faces; others are sheets that end here
         int n = 0;
         ForSurfaceEdges(graph_, v, [&](Index) { ++n; });
+        if (rules_.surface == Sdc::PolyhedralRule::Averaged) {
+            ForSurfaceEdges(graph_, v, [&](Index e) {
+                for (Index f : level_.edge_faces[e]) {
+                    if (level_.NCells(f) == n_cells) AddNewFace(level_, f, CornerOf(f, v), share / (2 * n), row);
+                }
+            });
+            return;
+        }
         const auto w = Sdc::PolyhedralRules::SurfaceVertexOf(n);
         row.Add(v, share * w.self);
         ForSurfaceEdges(graph_, v, [&](Index e) {

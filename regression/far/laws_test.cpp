@@ -236,7 +236,7 @@ Shape WithOtherDiagonals(Shape s, std::uint64_t seed) {
 }
 
 // Level 1 only: at level 2 the octahedra inside the tets split alike, but are listed in another order.
-TEST(LawsTest, AveragedDoesNotDependOnDiagonals) {
+TEST(LawsTest, SchemesWithoutDiagonalsDoNotDependOnThem) {
     Sdc::BoxSpline averaged, directional;
     averaged.diagonals = Sdc::Diagonals::Averaged;
     for (const auto& [name, shape] : TestShapes::AllShapes()) {
@@ -245,10 +245,12 @@ TEST(LawsTest, AveragedDoesNotDependOnDiagonals) {
         const auto points = [&](const Shape& s, const Sdc::Scheme& scheme) {
             return SortedPoints(Apply(Far::StencilTable::Create(Refined(s, 3), scheme), s.positions));
         };
-        const auto a = points(shape, averaged), b = points(other, averaged);
-        ASSERT_EQ(a.size(), b.size());
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            for (int k = 0; k < 3; ++k) ASSERT_NEAR(a[i][k], b[i][k], 1e-9);
+        for (const Sdc::Scheme& scheme : {Sdc::Scheme(averaged), Sdc::Scheme(Sdc::SmoothTet{})}) {
+            const auto a = points(shape, scheme), b = points(other, scheme);
+            ASSERT_EQ(a.size(), b.size());
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                for (int k = 0; k < 3; ++k) ASSERT_NEAR(a[i][k], b[i][k], 1e-9);
+            }
         }
         if (std::string(name) == "kuhn 3") {
             EXPECT_NE(points(shape, directional), points(other, directional)) << "directional does: the test can tell";
@@ -256,27 +258,30 @@ TEST(LawsTest, AveragedDoesNotDependOnDiagonals) {
     }
 }
 
-TEST(LawsTest, AveragedHasAll24SymmetriesOfTheTetrahedron) {
+TEST(LawsTest, SchemesWithoutDiagonalsHaveAll24SymmetriesOfTheTetrahedron) {
     Sdc::BoxSpline averaged;
     averaged.diagonals = Sdc::Diagonals::Averaged;
-    Shape tet = TestShapes::SingleTet();
-    tet.positions = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};  // regular
-    const auto points = [&](const std::array<Index, 4>& order) {
-        Shape s = tet;
-        for (int i = 0; i < 4; ++i) std::copy_n(tet.positions.begin() + 3 * order[i], 3, s.positions.begin() + 3 * i);
-        return SortedPoints(Apply(Far::StencilTable::Create(Refined(s, 3), averaged), s.positions));
-    };
-    std::array<Index, 4> order{0, 1, 2, 3};
-    const auto expected = points(order);
-    int n = 0;
-    do {
-        const auto got = points(order);
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-            for (int k = 0; k < 3; ++k) ASSERT_NEAR(got[i][k], expected[i][k], 1e-9);
-        }
-        ++n;
-    } while (std::next_permutation(order.begin(), order.end()));
-    EXPECT_EQ(n, 24);
+    for (const Sdc::Scheme& scheme : {Sdc::Scheme(averaged), Sdc::Scheme(Sdc::SmoothTet{})}) {
+        Shape tet = TestShapes::SingleTet();
+        tet.positions = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};  // regular
+        const auto points = [&](const std::array<Index, 4>& order) {
+            Shape s = tet;
+            for (int i = 0; i < 4; ++i)
+                std::copy_n(tet.positions.begin() + 3 * order[i], 3, s.positions.begin() + 3 * i);
+            return SortedPoints(Apply(Far::StencilTable::Create(Refined(s, 3), scheme), s.positions));
+        };
+        std::array<Index, 4> order{0, 1, 2, 3};
+        const auto expected = points(order);
+        int n = 0;
+        do {
+            const auto got = points(order);
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                for (int k = 0; k < 3; ++k) ASSERT_NEAR(got[i][k], expected[i][k], 1e-9);
+            }
+            ++n;
+        } while (std::next_permutation(order.begin(), order.end()));
+        EXPECT_EQ(n, 24);
+    }
 }
 
 // A turn or reflection of a tet that keeps the two edges of its diagonal, or swaps them, keeps the refined points.

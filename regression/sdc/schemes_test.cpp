@@ -44,6 +44,18 @@ TEST(BoxSplineTest, RegularWeightsAreThePapers) {
     EXPECT_EQ(s.Centre().equator * 32, 4);
 }
 
+TEST(SmoothTetTest, WeightsOfEveryNeighborhoodSumToOne) {
+    const SmoothTet s;
+    for (int tets = 0; tets < 9; ++tets) {
+        for (int octs = tets == 0; octs < 5; ++octs) {
+            const CellVertexWeights v = s.Vertex({tets, octs});
+            EXPECT_NEAR(v.self + 3 * tets * v.tet + octs * (4 * v.oct + v.opposite), 1, 1e-15);
+            const EdgeWeights e = s.Edge({tets + octs, octs, 2 * octs});
+            EXPECT_NEAR(2 * e.end + (tets + octs) * e.face + 2 * octs * e.oct, 1, 1e-15);
+        }
+    }
+}
+
 TEST(LoopTest, WeightsSumToOneAndTheLimitIsAFixedPoint) {
     for (const LoopSurface& s : {LoopSurface{LoopWeights::Loop}, LoopSurface{LoopWeights::Warren}}) {
         for (int n = 3; n < 40; ++n) {

@@ -30,7 +30,7 @@ struct CatmullClark {
     void SetOption(std::string_view name, std::string_view value);
     void Validate() const {}
 
-    PolyhedralRules polyhedral() const { return {false, triangles}; }
+    PolyhedralRules polyhedral() const { return {.triangles = triangles}; }
     CreaseOptions creases() const { return {creasing, features == Features::Sharp, false}; }
 };
 

@@ -28,7 +28,7 @@ struct LinearSolid {
     VertexWeights Vertex(VertexCounts) const { return {1.0, 0.0, 0.0}; }
     EdgeWeights Edge(EdgeCounts) const { return {0.5, 0.0, 0.0}; }
     OctWeights Centre() const { return {1.0 / 6.0, 1.0 / 6.0}; }
-    PolyhedralRules polyhedral() const { return {.is_linear = true}; }
+    PolyhedralRules polyhedral() const { return {PolyhedralRule::Linear, PolyhedralRule::Linear}; }
     LinearRule surface() const { return {}; }
     LinearRule curve() const { return {}; }
 };

@@ -21,7 +21,7 @@ struct LinearSurface {
     void SetOption(std::string_view name, std::string_view value);
     void Validate() const {}
 
-    PolyhedralRules polyhedral() const { return {.is_linear = true}; }
+    PolyhedralRules polyhedral() const { return {PolyhedralRule::Linear, PolyhedralRule::Linear}; }
     LinearRule surface() const { return {}; }
     LinearRule curve() const { return {}; }
 };

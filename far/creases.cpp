@@ -46,8 +46,12 @@ void SharpenCells(const Vtr::EdgeGraph& level, Sharpness& sharpness) {
     }
 }
 
-/// Sharpness of the children of a level's edges and vertices. @param child smooth
-Sharpness Refine(const Vtr::EdgeGraph& level, Sharpness child, const Sharpness& parent, Sdc::CreasingMethod method) {
+}  // namespace
+
+Sharpness ChildrenSharpness(const Vtr::EdgeGraph& level, Index n_edges, Index n_vertices, const Sharpness& parent,
+                            Sdc::CreasingMethod method) {
+    if (parent.empty()) return {};
+    Sharpness child = MakeSmooth(n_edges, n_vertices);
     for (Index e = 0; e < level.n_edges; ++e) {
         if (!Sdc::IsSharp(parent.edges[e])) continue;
         for (int s = 0; s < 2; ++s) {
@@ -58,8 +62,6 @@ Sharpness Refine(const Vtr::EdgeGraph& level, Sharpness child, const Sharpness& 
     std::transform(parent.vertices.begin(), parent.vertices.end(), child.vertices.begin(), Sdc::Decay);
     return IsAnySharp(child) ? child : Sharpness{};
 }
-
-}  // namespace
 
 float ChildSharpness(const Vtr::EdgeGraph& level, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e,
                      Index v) {
@@ -111,8 +113,8 @@ std::vector<Sharpness> SharpnessOfLevels(const TopologyRefiner& refiner, const S
     }
     for (int l = 1; l < n_levels; ++l) {
         if (levels[l - 1].empty()) break;
-        levels[l] = Refine(refiner.graph(l - 1), MakeSmooth(refiner.n_edges(l), refiner.n_vertices(l)), levels[l - 1],
-                           options.method);
+        levels[l] = ChildrenSharpness(refiner.graph(l - 1), refiner.n_edges(l), refiner.n_vertices(l), levels[l - 1],
+                                      options.method);
     }
     return levels;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <solidsubdiv/far/internal/local_matrix.h>
+#include <solidsubdiv/far/internal/polyhedral_limits.h>
 #include <solidsubdiv/far/internal/scheme_check.h>
 #include <solidsubdiv/far/internal/with_rows.h>
 #include <solidsubdiv/sdc/parallel.h>
@@ -14,10 +15,7 @@ namespace SolidSubdiv::Far {
 
 namespace {
 
-struct MaskRow {
-    std::vector<Index> indices;
-    std::vector<double> weights;
-};
+using Internal::MaskRow;
 
 /// Whether every edge of v's surface is smooth: not so where a sheet meets a solid's boundary, whose edges follow the
 /// curve rule there.
@@ -58,13 +56,13 @@ MaskRow LimitOf(const Level& level, const Scheme& scheme, const Internal::Rows<S
     return mask;
 }
 
-template <class Scheme>
-std::vector<MaskRow> LimitsOf(const Level& level, const Sharpness& sharpness, const Scheme& scheme) {
+/// limit_of(v) for every vertex.
+template <class LimitOfVertex>
+std::vector<MaskRow> LimitsOf(Index n_vertices, LimitOfVertex&& limit_of) {
     constexpr Offset kGrain = 256;
-    const Internal::Rows<Scheme> rows(level, sharpness, scheme);
-    std::vector<MaskRow> masks(level.n_vertices);
-    Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
-        for (Offset v = begin; v < end; ++v) masks[v] = LimitOf(level, scheme, rows, static_cast<Index>(v));
+    std::vector<MaskRow> masks(static_cast<std::size_t>(n_vertices));
+    Sdc::ParallelFor(n_vertices, kGrain, [&](Offset begin, Offset end) {
+        for (Offset v = begin; v < end; ++v) masks[v] = limit_of(static_cast<Index>(v));
     });
     return masks;
 }
@@ -74,23 +72,32 @@ std::vector<MaskRow> LimitsOf(const Level& level, const Sharpness& sharpness, co
 LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                             const LimitStencilTableOptions& options) {
     Internal::CheckScheme(refiner, scheme);
-    if (refiner.is_polyhedral()) {
-        throw InvalidInput("limits are there for the tet/oct split only; refine once more instead");
-    }
     const int l = options.level < 0 ? refiner.max_level() : options.level;
-    if (l > refiner.max_level() || !refiner.level(l).is_full) {
+    if (l > refiner.max_level() || !refiner.is_full(l)) {
         throw InvalidInput("limits at level " + std::to_string(l) +
                            " need its full topology: refine with full_topology_in_last_level");
     }
-    const Level& level = refiner.level(l);
+    const Index n_vertices = refiner.n_vertices(l);
     const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, l + 1).back();
     std::vector<MaskRow> masks;
-    Internal::WithTetOctScheme(scheme, [&](const auto& s) { masks = LimitsOf(level, sharpness, s); });
+    if (refiner.is_polyhedral()) {
+        Internal::WithPolyhedralScheme(scheme, [&](const auto& s) {
+            const Internal::PolyhedralLimits limits(refiner.polyhedral_level(l), sharpness, s.polyhedral(),
+                                                    Internal::CreaseOptionsOf(s).method);
+            masks = LimitsOf(n_vertices, [&](Index v) { return limits.Of(v); });
+        });
+    } else {
+        Internal::WithTetOctScheme(scheme, [&]<class Scheme>(const Scheme& s) {
+            const Level& level = refiner.level(l);
+            const Internal::Rows<Scheme> rows(level, sharpness, s);
+            masks = LimitsOf(n_vertices, [&](Index v) { return LimitOf(level, s, rows, v); });
+        });
+    }
 
     LimitStencilTable table;
-    table.rows_.n_sources = level.n_vertices;
+    table.rows_.n_sources = n_vertices;
     table.rows_.offsets.assign(1, 0);
-    for (Index v = 0; v < level.n_vertices; ++v) {
+    for (Index v = 0; v < n_vertices; ++v) {
         if (masks[v].indices.empty()) table.without_limit_.push_back(v);
         table.rows_.indices.insert(table.rows_.indices.end(), masks[v].indices.begin(), masks[v].indices.end());
         table.rows_.weights.insert(table.rows_.weights.end(), masks[v].weights.begin(), masks[v].weights.end());

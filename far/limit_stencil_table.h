@@ -4,9 +4,10 @@
 //     refiner.RefineUniform({.max_level = 2, .full_topology_in_last_level = true});
 //     auto limit = Far::LimitStencilTable::Create(refiner, Sdc::BoxSpline{}, {.level = 2});
 //
-// Inside solids: 2/5, 1/20, 1/30 where the lattice is regular (chang2002boxspline; rules.md section 2), elsewhere the
-// left eigenvector of the local matrix. Boundary: Loop's limit; creases (1, 4, 1)/6; corners stay. Places between
-// vertices and derivatives are not here yet.
+// Inside solids of tets and octahedra: 2/5, 1/20, 1/30 where the lattice is regular (chang2002boxspline; rules.md
+// section 2), elsewhere the left eigenvector of the local matrix. Boundary: Loop's limit; creases (1, 4, 1)/6; corners
+// stay. Solids and surfaces of other cells: tensor products of (1, 4, 1)/6 where the mesh is regular, elsewhere the
+// left eigenvector of the matrix one level on. Places between vertices and derivatives are not here yet.
 #pragma once
 
 #include <vector>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <solidsubdiv/far/internal/local_matrix.h>
+#include <solidsubdiv/far/internal/vertex_star.h>
 #include <solidsubdiv/far/internal/with_rows.h>
 
 namespace SolidSubdiv::Far {
@@ -36,6 +37,14 @@ std::optional<LocalMatrix> MakeLocalMatrix(const Level& level, const Sdc::Scheme
         const Sharpness smooth;
         const Internal::Rows<Scheme> rows(level, smooth, s);
         matrix = Internal::MakeLocalMatrix(level, rows, vertex);
+    });
+    return matrix;
+}
+
+std::optional<LocalMatrix> MakeLocalMatrix(const Vtr::PolyhedralLevel& level, const Sdc::Scheme& scheme, Index vertex) {
+    std::optional<LocalMatrix> matrix;
+    Internal::WithPolyhedralScheme(scheme, [&](const auto& s) {
+        matrix = Internal::VertexStar(level, {}, vertex).Matrix(s.polyhedral(), Internal::CreaseOptionsOf(s).method);
     });
     return matrix;
 }

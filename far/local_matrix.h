@@ -24,6 +24,11 @@ struct LocalMatrix {
 /// @pre level.is_full. Nothing where the rules reach beyond the ring (a complex that meets itself).
 std::optional<LocalMatrix> MakeLocalMatrix(const Level& level, const Sdc::Scheme& scheme, Index vertex);
 
+/// The same of a vertex among polyhedra, where all that is around the vertex moves together: from the first split on,
+/// the vertex and the points on its edges, in its faces and in its cells. `ring` counts points of the vertex's star,
+/// split alone: 0 is the vertex. Creases are left out.
+std::optional<LocalMatrix> MakeLocalMatrix(const Vtr::PolyhedralLevel& level, const Sdc::Scheme& scheme, Index vertex);
+
 /// The limit of the vertex as weights of the ring: the row of ring[0] in high powers of the matrix. Empty if they do
 /// not settle (the vertex has no limit).
 std::vector<double> LimitMaskOf(const LocalMatrix& matrix);

@@ -71,6 +71,7 @@ class TopologyRefiner {
     Index n_vertices(int i) const { return is_polyhedral() ? polyhedral_level(i).n_vertices : level(i).n_vertices; }
     Index n_edges(int i) const { return is_polyhedral() ? polyhedral_level(i).n_edges : level(i).n_edges; }
     Offset n_cells(int i) const { return is_polyhedral() ? polyhedral_level(i).n_cells() : level(i).n_cells(); }
+    bool is_full(int i) const { return is_polyhedral() ? polyhedral_level(i).is_full : level(i).is_full; }
     /// Vertices and edges of a full level.
     Vtr::EdgeGraph graph(int i) const {
         return is_polyhedral() ? Vtr::EdgeGraph(polyhedral_level(i)) : Vtr::EdgeGraph(level(i));

@@ -38,6 +38,11 @@ void ForSurfaceEdges(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, In
 float ChildSharpness(const Vtr::EdgeGraph& graph, const Sharpness& sharpness, Sdc::CreasingMethod method, Index e,
                      Index v);
 
+/// Sharpness of the children of a level's edges and vertices; the others among the child's `n_edges` and `n_vertices`
+/// are smooth.
+Sharpness ChildrenSharpness(const Vtr::EdgeGraph& level, Index n_edges, Index n_vertices, const Sharpness& parent,
+                            Sdc::CreasingMethod method);
+
 /// A scheme's options for creases; those without any take them as they are.
 template <class Scheme>
 Sdc::CreaseOptions CreaseOptionsOf(const Scheme& scheme) {

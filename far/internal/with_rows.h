@@ -19,6 +19,16 @@ void WithTetOctScheme(const Sdc::Scheme& scheme, Body&& body) {
         scheme);
 }
 
+/// The same with one of the polyhedral split.
+template <class Body>
+void WithPolyhedralScheme(const Sdc::Scheme& scheme, Body&& body) {
+    std::visit(
+        [&]<class Scheme>(const Scheme& s) {
+            if constexpr (Sdc::Takes<Scheme>(Sdc::Split::Polyhedral)) body(s);
+        },
+        scheme);
+}
+
 /// Calls body(rows) with the rows of level i + 1 over level i. @pre CheckScheme
 template <class Body>
 void WithRows(const TopologyRefiner& refiner, int i, const Sharpness& sharpness, const Sdc::Scheme& scheme,
@@ -28,13 +38,9 @@ void WithRows(const TopologyRefiner& refiner, int i, const Sharpness& sharpness,
                          [&]<class Scheme>(const Scheme& s) { body(Rows<Scheme>(refiner.level(i), sharpness, s)); });
         return;
     }
-    std::visit(
-        [&]<class Scheme>(const Scheme& s) {
-            if constexpr (Sdc::Takes<Scheme>(Sdc::Split::Polyhedral)) {
-                body(PolyhedralRows(refiner.polyhedral_level(i), sharpness, s.polyhedral(), CreaseOptionsOf(s).method));
-            }
-        },
-        scheme);
+    WithPolyhedralScheme(scheme, [&](const auto& s) {
+        body(PolyhedralRows(refiner.polyhedral_level(i), sharpness, s.polyhedral(), CreaseOptionsOf(s).method));
+    });
 }
 
 }  // namespace SolidSubdiv::Far::Internal

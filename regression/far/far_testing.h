@@ -14,12 +14,24 @@
 #include <solidsubdiv/far/stencil_table.h>
 #include <solidsubdiv/far/topology_refiner.h>
 
-#include "test_shapes.h"
+#include "polyhedral_shapes.h"
 
 namespace SolidSubdiv::TestFar {
 
 inline Far::TopologyDescriptor Describe(const TestShapes::Shape& s) {
     return {.n_vertices = s.n_vertices, .tets = s.tets, .octs = s.octs, .triangles = s.triangles, .edges = s.edges};
+}
+
+inline Far::TopologyDescriptor Describe(const TestShapes::PolyhedralShape& s) {
+    Far::TopologyDescriptor d{.n_vertices = s.n_vertices};
+    d.hexes = s.hexes;
+    d.polyhedron_offsets = s.cell_offsets;
+    d.polyhedron_face_offsets = s.face_offsets;
+    d.polyhedron_vertices = s.face_vertices;
+    d.polygon_offsets = s.polygon_offsets;
+    d.polygon_vertices = s.polygon_vertices;
+    d.edges = s.edges;
+    return d;
 }
 
 inline Far::TopologyRefiner Refined(const TestShapes::Shape& s, int levels, bool full = false) {

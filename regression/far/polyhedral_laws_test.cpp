@@ -9,26 +9,14 @@
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "far/far_testing.h"
-#include "polyhedral_shapes.h"
 
 namespace SolidSubdiv {
 namespace {
 
 using Far::TopologyDescriptor;
 using Far::TopologyRefiner;
+using TestFar::Describe;
 using TestShapes::PolyhedralShape;
-
-TopologyDescriptor Describe(const PolyhedralShape& s) {
-    TopologyDescriptor d{.n_vertices = s.n_vertices};
-    d.hexes = s.hexes;
-    d.polyhedron_offsets = s.cell_offsets;
-    d.polyhedron_face_offsets = s.face_offsets;
-    d.polyhedron_vertices = s.face_vertices;
-    d.polygon_offsets = s.polygon_offsets;
-    d.polygon_vertices = s.polygon_vertices;
-    d.edges = s.edges;
-    return d;
-}
 
 struct Named {
     std::string name;

@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <tuple>
 
-#include <solidsubdiv/kit/analysis/subdivision_matrix.h>
-
 namespace SolidSubdiv::Analysis {
 
 namespace {
@@ -28,6 +26,15 @@ Eigenvalue TakeCluster(std::vector<std::complex<double>>& values, double toleran
         values.erase(near_ones, values.end());
     }
     return {sum / static_cast<double>(cluster.size()), static_cast<int>(cluster.size())};
+}
+
+constexpr double kTolerance = 1e-6;  // of eigenvalues that are compared
+
+constexpr const char* kDiverges =
+    "diverges or does not settle: an eigenvalue of modulus 1 or more besides the single 1";
+bool Settles(const Spectrum& spectrum) {
+    return !spectrum.empty() && std::abs(spectrum[0].value - 1.0) <= kTolerance && spectrum[0].multiplicity == 1 &&
+           (spectrum.size() == 1 || std::abs(spectrum[1].value) <= 1 - kTolerance);
 }
 
 }  // namespace
@@ -50,11 +57,9 @@ Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance) {
 }
 
 Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
-    constexpr double kTolerance = 1e-6;
     Verdict v;
-    if (spectrum.empty() || std::abs(spectrum[0].value - 1.0) > kTolerance || spectrum[0].multiplicity > 1 ||
-        (spectrum.size() > 1 && std::abs(spectrum[1].value) > 1 - kTolerance)) {
-        v.text = "diverges or does not settle: an eigenvalue of modulus 1 or more besides the single 1";
+    if (!Settles(spectrum)) {
+        v.text = kDiverges;
         return v;
     }
     v.smoothness = Smoothness::C0;
@@ -93,21 +98,30 @@ Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
     return v;
 }
 
-Far::LocalMatrix RegularLocalMatrix(const Sdc::Scheme& scheme) {
-    const bool solid = std::visit([](const auto& s) { return s.kSolids; }, scheme);
-    // Refined often enough, one cell has regular vertices inside.
-    const std::vector<Index> tet{0, 1, 2, 3}, triangle{0, 1, 2};
-    Far::TopologyDescriptor descriptor{.n_vertices = solid ? 4 : 3};
-    (solid ? descriptor.tets : descriptor.triangles) = solid ? tet : triangle;
-    constexpr int kLevel = 2;
-    auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
-    refiner.RefineUniform({.max_level = kLevel + 3});
-    const Far::Level& level = refiner.level(kLevel);
-    for (Index v = 0; v < level.n_vertices; ++v) {
-        if (level.vertex_tags[v].rule() != (solid ? Vtr::Rule::Solid : Vtr::Rule::Surface)) continue;
-        if (auto m = MatrixAround(refiner, kLevel, v, scheme)) return *m;
+EdgeVerdict EdgeVerdictOf(const Spectrum& spectrum) {
+    EdgeVerdict v;
+    if (!Settles(spectrum)) {
+        v.text = kDiverges;
+        return v;
     }
-    return {};
+    int n = 0;
+    bool is_real = true;
+    std::size_t i = 1;
+    for (; i < spectrum.size() && n < 3; ++i) {
+        n += spectrum[i].multiplicity;
+        is_real = is_real && std::abs(spectrum[i].value.imag()) < kTolerance;
+    }
+    const double next = i < spectrum.size() ? std::abs(spectrum[i].value) : 0, last = std::abs(spectrum[i - 1].value);
+    v.is_separated = n == 3 && is_real && last > next + kTolerance;
+    char text[200];
+    if (v.is_separated) {
+        std::snprintf(text, sizeof text, "C1 spectrum: three real eigenvalues, the last %.6g, next %.6g", last, next);
+    } else {
+        std::snprintf(text, sizeof text,
+                      "not decided by eigenvalues alone: the third after 1 is no last of three (%.6g)", last);
+    }
+    v.text = text;
+    return v;
 }
 
 std::string SpectrumText(const Spectrum& spectrum) {

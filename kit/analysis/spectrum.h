@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eigenvalues of local subdivision matrices, and what they say about smoothness.
 //
-//     auto m = Analysis::RegularLocalMatrix(Sdc::BoxSpline{});
+//     auto m = Analysis::RegularLocalMatrix(Sdc::BoxSpline{});    // kit/analysis/places.h
 //     auto s = Analysis::SpectrumOf(m);            // 1, 1/2 x 3, 1/4 x 6, 1/8 x 4, 1/16
 //     auto v = Analysis::VerdictOf(s, 3);          // "C2 spectrum: ..."
 #pragma once
@@ -45,8 +45,15 @@ struct Verdict {
 /// @param dimension 3 inside a solid, 2 on a surface, 1 on a curve
 Verdict VerdictOf(const Spectrum& spectrum, int dimension);
 
-/// The local matrix of an inner vertex of the regular lattice (solid schemes: the octet truss; surfaces: valence 6).
-Far::LocalMatrix RegularLocalMatrix(const Sdc::Scheme& scheme);
+/// What eigenvalues say at a vertex on an inner edge, where the map along the edge may shrink at another rate than
+/// across it.
+struct EdgeVerdict {
+    /// Three real eigenvalues after 1, larger than all others: C1 if the characteristic map is regular. Otherwise it
+    /// depends on which directions the functions of the others vary in.
+    bool is_separated = false;
+    std::string text;  ///< one line for people
+};
+EdgeVerdict EdgeVerdictOf(const Spectrum& spectrum);
 
 /// "1, 1/2 x 3, 0.3125": eigenvalues that are m/2^k with k <= 6 as fractions.
 std::string SpectrumText(const Spectrum& spectrum);

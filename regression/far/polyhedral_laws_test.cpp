@@ -109,6 +109,58 @@ TEST(PolyhedralLaws, InsideARegularBlockRowsAreTensorProducts) {
     EXPECT_EQ(n_checked, 2 * 5 * 5 * 5);
 }
 
+/// n hexahedra around an edge, two layers; vertex 2n + 1 is in the middle.
+PolyhedralShape HexesAroundEdge(int n) {
+    PolyhedralShape s;
+    const int layer = 2 * n + 1;
+    s.n_vertices = 3 * layer;
+    for (int z = 0; z < 2; ++z) {
+        for (int i = 0; i < n; ++i) {
+            for (int at : {layer * z, layer * (z + 1)}) {
+                s.hexes.insert(s.hexes.end(), {at, at + 1 + 2 * i, at + 2 + 2 * i, at + 1 + 2 * ((i + 1) % n)});
+            }
+        }
+    }
+    return s;
+}
+
+// What is constant along an edge stays so under mlca. Under Catmull-Clark it does not: rules.md section 4 has the
+// figures.
+TEST(PolyhedralLaws, ExtrudedDataStayExtrudedAlongEdgesUnderMlcaAlone) {
+    const std::map<int, std::array<double, 2>> classic = {{3, {0.417, 0.575}}, {5, {0.650, 0.554}}};
+    for (int n = 3; n <= 8; ++n) {
+        const PolyhedralShape shape = HexesAroundEdge(n);
+        auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+        refiner.RefineUniform({.max_level = 1});
+        const Index layer = 2 * n + 1, middle = layer;
+        const Index on_edge = shape.n_vertices + refiner.polyhedral_level(0).FindEdge(0, middle);
+        // A spike along the edge, and noise.
+        std::vector<double> spike(static_cast<std::size_t>(shape.n_vertices), 0.0), noise = spike;
+        for (std::size_t v = 0; v < spike.size(); ++v) {
+            const std::size_t column = v % static_cast<std::size_t>(layer);
+            spike[v] = column == 0;
+            noise[v] = std::sin(3.0 * static_cast<double>(column));
+        }
+        const auto at = [&](const Sdc::Scheme& scheme, const std::vector<double>& values, Index v) {
+            std::vector<double> fine(static_cast<std::size_t>(refiner.n_vertices(1)));
+            Far::PrimvarRefiner(refiner, scheme).Interpolate<double>(1, values, fine, 1);
+            return fine[static_cast<std::size_t>(v)];
+        };
+        EXPECT_NEAR(at(Sdc::Mlca{}, noise, on_edge), at(Sdc::Mlca{}, noise, middle), 1e-15) << n;
+        const double edge = at(Sdc::CatmullClarkSolid{}, spike, on_edge),
+                     vertex = at(Sdc::CatmullClarkSolid{}, spike, middle);
+        if (n == 4) {
+            EXPECT_NEAR(edge, vertex, 1e-15);
+        } else {
+            EXPECT_GT(std::abs(edge - vertex), 0.05) << n;
+        }
+        if (const auto quoted = classic.find(n); quoted != classic.end()) {
+            EXPECT_NEAR(edge, quoted->second[0], 5e-4);
+            EXPECT_NEAR(vertex, quoted->second[1], 5e-4);
+        }
+    }
+}
+
 TEST(PolyhedralLaws, TheBoundaryOfASolidIsTheSurfaceOfItsBoundary) {
     PolyhedralShape shape = TestShapes::HexBlock(3, 3, 2, [](int x, int y, int z) { return z == 0 || x + y < 3; });
     for (double& x : shape.positions) x += 0.1 * std::sin(7 * x + 3 * static_cast<double>(&x - shape.positions.data()));

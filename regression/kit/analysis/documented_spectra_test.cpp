@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of docs/schemes/: spectra of the interpolating schemes by tension, by valence and across faces.
 #include <gtest/gtest.h>
+#include <solidsubdiv/kit/analysis/places.h>
 #include <solidsubdiv/kit/analysis/spectrum.h>
 #include <solidsubdiv/kit/analysis/subdivision_matrix.h>
 
@@ -107,6 +108,49 @@ TEST(DocumentedSpectra, InsideOriginalFacesAreRegularWhereTheTetsMatch) {
         EXPECT_GT(std::abs(modulus - 0.5), 5e-3) << "linear functions are not reproduced";
     }
     EXPECT_NEAR(After1(InsideAFace(false, box_spline))[0], 0.512, kQuoted);
+}
+
+// docs/schemes/README.md: around inner edges, the pair across the edge and the largest of the rest.
+TEST(DocumentedSpectra, AroundEdges) {
+    struct Quoted {
+        Sdc::Scheme scheme;
+        std::map<int, std::array<double, 2>> by_cells;
+    };
+    const std::map<int, std::array<double, 2>> of_quads = {
+        {3, {0.4101, 0.25}}, {4, {0.5, 0.25}}, {5, {0.550, 0.340}}, {6, {0.580, 0.410}}, {7, {0.599, 0.462}}};
+    std::map<int, std::array<double, 2>> of_classic = of_quads;
+    of_classic[3] = {0.4101, 0.234};
+    const std::vector<Quoted> all = {{Sdc::Mlca{}, of_quads},
+                                     {Sdc::CatmullClarkSolid{}, of_classic},
+                                     {Sdc::SmoothTet{},
+                                      {{3, {0.317, 0.287}},
+                                       {4, {0.428, 0.287}},
+                                       {5, {0.495, 0.287}},
+                                       {6, {0.536, 0.317}},
+                                       {7, {0.562, 0.379}},
+                                       {8, {0.580, 0.428}}}},
+                                     {Sdc::BoxSpline{},
+                                      {{3, {0.410, 0.307}},
+                                       {4, {0.5, 0.25}},
+                                       {5, {0.550, 0.340}},
+                                       {6, {0.5, 0.25}},
+                                       {7, {0.599, 0.462}},
+                                       {8, {0.552, 0.375}}}}};
+    for (const auto& [scheme, by_cells] : all) {
+        for (const auto& [n, quoted] : by_cells) {
+            SCOPED_TRACE(std::string(Sdc::NameOf(scheme)) + " " + std::to_string(n));
+            const Spectrum spectrum = SpectrumOf(EdgeLocalMatrix(scheme, n));
+            EXPECT_TRUE(EdgeVerdictOf(spectrum).is_separated);
+            const std::vector<double> moduli = After1(spectrum);
+            EXPECT_NEAR(moduli[quoted[0] < 0.5 ? 1 : 0], quoted[0], kQuoted);
+            EXPECT_NEAR(moduli[quoted[0] < 0.5 ? 0 : 2], 0.5, 1e-9) << "along the edge";
+            EXPECT_NEAR(moduli[3], quoted[1], kQuoted);
+        }
+    }
+    EXPECT_FALSE(EdgeVerdictOf(SpectrumOf(EdgeLocalMatrix(Sdc::Mlca{}, 8))).is_separated);
+    for (int n : {5, 7}) {
+        EXPECT_FALSE(EdgeVerdictOf(SpectrumOf(EdgeLocalMatrix(Sdc::Interpolatory{}, n))).is_separated) << n;
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra of the regular lattices, and the words that eigenvalues get.
 #include <gtest/gtest.h>
+#include <solidsubdiv/kit/analysis/places.h>
 #include <solidsubdiv/kit/analysis/spectrum.h>
 
 namespace {
@@ -37,6 +38,47 @@ TEST(RegularSpectrum, OfLoopIsThatOfTheQuarticBoxSpline) {
     const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::Loop{}));
     EXPECT_EQ(SpectrumText(s), "1, 1/2 x 2, 1/4 x 3, 1/8") << "Loop 1987: 1, 1/2, 1/2, 1/4 three times, 1/8";
     EXPECT_EQ(VerdictOf(s, 2).smoothness, Smoothness::C2);
+}
+
+TEST(RegularSpectrum, OfTheSchemesOfHexahedraIsThatOfTricubicSplines) {
+    for (const Sdc::Scheme& scheme : {Sdc::Scheme(Sdc::CatmullClarkSolid{}), Sdc::Scheme(Sdc::Mlca{})}) {
+        const Spectrum s = SpectrumOf(RegularLocalMatrix(scheme));
+        // Products of 1, 1/2, 1/4, 1/8 ... of one axis (of three points: 1, 1/2, 1/4): 27 in all.
+        EXPECT_EQ(SpectrumText(s), "1, 1/2 x 3, 1/4 x 6, 1/8 x 7, 1/16 x 6, 1/32 x 3, 1/64");
+        EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C2);
+        EXPECT_EQ(SpectrumText(SpectrumOf(EdgeLocalMatrix(scheme, 4))), SpectrumText(s));
+    }
+    EXPECT_EQ(SpectrumText(SpectrumOf(RegularLocalMatrix(Sdc::CatmullClark{}))), "1, 1/2 x 2, 1/4 x 3, 1/8 x 2, 1/16");
+}
+
+// rules.md section 4b.
+TEST(RegularSpectrum, OfSmoothTetIsC2) {
+    const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::SmoothTet{}));
+    EXPECT_EQ(SpectrumText(s).substr(0, 25), "1, 1/2 x 3, 1/4 x 6, 1/8 ");
+    EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C2);
+}
+
+// The lattice has edges of four tets (with the diagonal along them) and of six (without).
+TEST(EdgeSpectrum, OfFourAndSixTetsIsThatOfTheLattice) {
+    for (const Sdc::Scheme& scheme : {Sdc::Scheme(Sdc::BoxSpline{}), Sdc::Scheme(Sdc::Interpolatory{})}) {
+        const std::string regular = SpectrumText(SpectrumOf(RegularLocalMatrix(scheme)));
+        for (int n : {4, 6})
+            EXPECT_EQ(SpectrumText(SpectrumOf(EdgeLocalMatrix(scheme, n))).substr(0, 20), regular.substr(0, 20)) << n;
+        EXPECT_NE(SpectrumText(SpectrumOf(EdgeLocalMatrix(scheme, 5))).substr(0, 20), regular.substr(0, 20));
+    }
+    EXPECT_THROW(EdgeLocalMatrix(Sdc::BoxSpline{}, 2), InvalidInput);
+    EXPECT_THROW(EdgeLocalMatrix(Sdc::Loop{}, 4), InvalidInput);
+}
+
+TEST(EdgeVerdictTest, AsksForThreeRealEigenvaluesAboveTheOthers) {
+    const auto is_separated = [](const Spectrum& s) { return EdgeVerdictOf(s).is_separated; };
+    EXPECT_TRUE(is_separated({{1.0, 1}, {0.5, 1}, {0.4, 2}, {0.3, 1}}));
+    EXPECT_TRUE(is_separated({{1.0, 1}, {0.6, 2}, {0.5, 1}, {0.4, 1}}));
+    EXPECT_FALSE(is_separated({{1.0, 1}, {0.5, 1}, {0.45, 1}, {0.4, 2}}));
+    EXPECT_FALSE(is_separated({{1.0, 1}, {0.5, 4}}));
+    EXPECT_FALSE(is_separated({{1.0, 1}, {0.5, 1}, {{0.3, 0.3}, 1}, {{0.3, -0.3}, 1}, {0.1, 1}}));
+    EXPECT_FALSE(is_separated({{1.0, 1}, {1.0, 1}}));
+    EXPECT_FALSE(is_separated({}));
 }
 
 TEST(SpectrumOfTest, FindsThePlantedFault) {

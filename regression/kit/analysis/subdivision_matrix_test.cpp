@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra around vertices of every kind: what the interpolating schemes owe (rules.md sections 3 and 6).
 #include <gtest/gtest.h>
+#include <solidsubdiv/kit/analysis/places.h>
 #include <solidsubdiv/kit/analysis/spectrum.h>
 #include <solidsubdiv/kit/analysis/subdivision_matrix.h>
 

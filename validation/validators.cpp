@@ -57,6 +57,10 @@ constexpr std::array kValidators = {
               "sums of at most a hundred terms of size 1, the closed form exact to a few units of round-off: 1e-14 at "
               "most, and a hundred times that",
               ValidateBoxSplineRegular},
+    Validator{"tricubic-regular",
+              "inside regular blocks of hexahedra Catmull-Clark solids and mlca = tensor products of cubic B-splines: "
+              "values (levels 1-3) by knot insertion, limits by the closed form; values of size 1",
+              1e-12, kSumsOfWeights, ValidateTricubicRegular},
     Validator{"cell-averaging",
               "smooth-tet inside solids of tets and octahedra, mlca on solids of any cells and their boundaries = a "
               "linear split and averages over the new cells, made the plain way: each level (1-2) from the one before, "

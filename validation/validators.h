@@ -62,6 +62,7 @@ Findings ValidateButterflySurfaces(const Context& context);
 Findings ValidateButterflyBoundary(const Context& context);
 Findings ValidateButterflyPrograms(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
+Findings ValidateTricubicRegular(const Context& context);
 Findings ValidateCellAveraging(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);

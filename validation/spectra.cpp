@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Validator spectra: eigenvalues of the schemes in the regular lattice and inside faces of the control mesh, as quoted
-// in docs/schemes/box-spline.md.
+// in docs/schemes.
 #include "spectra.h"
 
 #include <algorithm>
@@ -37,28 +37,38 @@ Index At(const std::map<LatticePoint, Index>& places, const LatticePoint& p) {
 }  // namespace
 
 LocalSubdivision SubdivisionAround(const RefinedPoints& refined, const Far::StencilRows<double>& rows, int level,
-                                   Index vertex) {
+                                   Index vertex, int n_rings) {
     const LatticePoint centre = refined.points[level][vertex], fine_centre = Plus(centre, centre);
     const std::map<LatticePoint, Index> fine_places = Places(refined.points[level + 1]);
     LocalSubdivision local;
-    local.offsets = {{0, 0, 0}};
     const Vtr::Level& topology = refined.refiner.level(level);
-    for (Index e : topology.vertex_edges[vertex]) {  // where vertices stay, their rows name no neighbours
-        for (Index end : topology.EdgeVertices(e)) {
-            if (end != vertex) local.offsets.push_back(Minus(refined.points[level][end], centre));
-        }
-    }
+    std::vector<Index> near{vertex};
     std::map<LatticePoint, std::size_t> number;
-    for (const LatticePoint& offset : local.offsets) number.emplace(offset, number.size());
+    const auto add = [&](Index v) {
+        const LatticePoint offset = Minus(refined.points[level][v], centre);
+        const auto [place, is_new] = number.emplace(offset, number.size());
+        if (is_new) local.offsets.push_back(offset);
+        return std::pair(place->second, is_new);
+    };
+    add(vertex);
+    std::size_t ring_start = 0;
+    for (int r = 0; r < n_rings; ++r) {  // where vertices stay, their rows name no neighbours
+        const std::size_t ring_end = near.size();
+        for (std::size_t i = ring_start; i < ring_end; ++i) {
+            for (Index e : topology.vertex_edges[near[i]]) {
+                for (Index end : topology.EdgeVertices(e)) {
+                    if (add(end).second) near.push_back(end);
+                }
+            }
+        }
+        ring_start = ring_end;
+    }
     std::vector<std::map<std::size_t, double>> weights;
     for (std::size_t i = 0; i < local.offsets.size(); ++i) {  // grows while it runs
         const Index row = At(fine_places, Plus(fine_centre, local.offsets[i]));
         weights.emplace_back();
         for (std::size_t k = 0; k < rows.Indices(row).size(); ++k) {
-            const LatticePoint offset = Minus(refined.points[level][rows.Indices(row)[k]], centre);
-            const auto [place, is_new] = number.emplace(offset, number.size());
-            if (is_new) local.offsets.push_back(offset);
-            weights.back()[place->second] += rows.Weights(row)[k];
+            weights.back()[add(rows.Indices(row)[k]).first] += rows.Weights(row)[k];
         }
     }
     const std::size_t n = local.offsets.size();
@@ -102,15 +112,16 @@ Findings ValidateSpectra(const Context&) {
         return text;
     };
     const auto check = [&](const std::string& name, const RefinedPoints& refined, int level, Index vertex,
-                           const Sdc::Scheme& scheme, const std::vector<QuotedEigenvalue>& quoted) {
+                           const Sdc::Scheme& scheme, const std::vector<QuotedEigenvalue>& quoted, int n_rings = 1) {
         const auto table = Far::StencilTable::Create(refined.refiner, scheme);
-        const LocalSubdivision local = SubdivisionAround(refined, table.level(level + 1), level, vertex);
+        const LocalSubdivision local = SubdivisionAround(refined, table.level(level + 1), level, vertex, n_rings);
         const auto spectrum = Spectrum(local.matrix, static_cast<int>(local.offsets.size()));
         Findings found;
         CompareSpectrum(spectrum, quoted, found);
         found.notes.push_back(text_of(spectrum));
         findings.Merge(found, name);
-        if (std::holds_alternative<Sdc::Interpolatory>(scheme)) return;  // its rows look further than a local matrix
+        // Rows of the interpolatory scheme look further than a local matrix.
+        if (std::holds_alternative<Sdc::Interpolatory>(scheme) || n_rings > 1) return;
 
         const auto matrix = Far::MakeLocalMatrix(refined.refiner.level(level), scheme, vertex);
         Findings by_matrix;
@@ -147,13 +158,14 @@ Findings ValidateSpectra(const Context&) {
     // Two tets that share the face 0 1 2, and the vertices inside it: middles of the edges of its middle triangle.
     const std::vector<LatticePoint> points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 4}, {1, 1, -4}};
     const auto check_inside = [&](const std::string& name, const std::array<int, 4>& lower, const Sdc::Scheme& scheme,
-                                  const std::vector<QuotedEigenvalue>& quoted) {
+                                  const std::vector<QuotedEigenvalue>& quoted, int n_rings = 1) {
         // Wide rows need more room before they meet the face's border.
-        const int level = std::holds_alternative<Sdc::Interpolatory>(scheme) ? 4 : 2, scale = 1 << level;
+        const bool is_wide = std::holds_alternative<Sdc::Interpolatory>(scheme) || n_rings > 1;
+        const int level = is_wide ? 4 : 2, scale = 1 << level;
         const RefinedPoints refined = RefinePoints(points, {{0, 1, 2, 3}, lower}, {}, level + 1);
         for (const LatticePoint& inside : {LatticePoint{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}) {
             const LatticePoint place = {scale * inside[0], scale * inside[1], 0};
-            check(name, refined, level, At(Places(refined.points[level]), place), scheme, quoted);
+            check(name, refined, level, At(Places(refined.points[level]), place), scheme, quoted, n_rings);
         }
     };
     // The upper tet chooses the edge 01 of the face, the lower one 01, 12 or 02.
@@ -165,6 +177,16 @@ Findings ValidateSpectra(const Context&) {
     check_inside("inside another unmatched face", unmatched_too, directional, broken);
     check_inside("inside a matched face, averaged", matched, averaged, mean);
     check_inside("inside an unmatched face, averaged", unmatched, averaged, mean);
+
+    // docs/schemes/smooth-tet.md.
+    for (const int level : {0, 1}) {
+        check("octet truss, smooth-tet, level " + std::to_string(level), with_octs, level, middle, Sdc::SmoothTet{},
+              {{1, 1}, {0.5, 3}, {0.25, 6}, {0.125, 1}});
+    }
+    for (const auto& lower : {matched, unmatched}) {
+        check_inside("inside a face, smooth-tet", lower, Sdc::SmoothTet{},
+                     {{1, 1}, {0.5, 3}, {0.25, 6}, {0.1367, 3, 5e-5}}, 2);
+    }
 
     // docs/schemes/interpolatory.md.
     const RefinedPoints wide = RefinePoints(truss.vertices, truss.tets, truss.octs, 3);

@@ -18,11 +18,12 @@ struct LocalSubdivision {
     std::vector<double> matrix;         ///< (n, n), row-major
 };
 
-/// Starts with the vertex and adds whatever the rows of the points at the same offsets, one level on, refer to.
+/// Starts with the vertex and its neighbours up to `n_rings` edges away, and adds whatever the rows of the points at
+/// the same offsets, one level on, refer to.
 /// @param rows those that make level + 1 from level
 /// @throws std::runtime_error if no vertex of level + 1 is at such an offset
 LocalSubdivision SubdivisionAround(const RefinedPoints& refined, const Far::StencilRows<double>& rows, int level,
-                                   Index vertex);
+                                   Index vertex, int n_rings = 1);
 
 /// A quoted eigenvalue and how far the figure may be off by its rounding; exact: 0.
 struct QuotedEigenvalue {

@@ -5,6 +5,8 @@
 #include <array>
 #include <initializer_list>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <solidsubdiv/sdc/cells.h>
@@ -111,6 +113,12 @@ inline PolyhedralShape CubeWithSheets() {
     const Index rod = s.AddVertex(3, 3, 3), end = s.AddVertex(4, 3, 3);
     s.edges = {26, rod, rod, end};
     return s;
+}
+
+/// One for every feature.
+inline std::vector<std::pair<std::string, PolyhedralShape>> PolyhedralShapes() {
+    return {
+        {"block", HexBlock(3)}, {"mixed", MixedCells()}, {"touching", TouchingCubes()}, {"sheets", CubeWithSheets()}};
 }
 
 }  // namespace SolidSubdiv::TestShapes

@@ -87,11 +87,16 @@ class EdgeStencil {
         if (fan.is_closed) return fan.n_triangles() == 6;
         return fan.n_triangles() == 3 && (rule_.has_regular_corners || !IsEnd(fan.center));
     }
-    /// Whether curves end in v.
+    /// Whether curves end in v. Where the surface is no manifold a curve of its own seams goes through alone
+    /// (docs/decisions/0010).
     bool IsEnd(int v) const {
-        int n_creases = 0;
-        for (const int e : level_.topology.GetVertexEdges(v)) n_creases += level_.is_crease[e];
-        return level_.is_corner[v] || n_creases != 2;
+        int n_creases = 0, n_seams = 0;
+        for (const int e : level_.topology.GetVertexEdges(v)) {
+            n_creases += level_.is_crease[e];
+            n_seams += level_.topology.GetEdgeFaces(e).size() != 2;
+        }
+        const bool is_pinched = level_.topology.IsVertexNonManifold(v) && n_seams != 2;
+        return level_.is_corner[v] || n_creases != 2 || is_pinched;
     }
     /// The vertex before `v` on the curve that leaves it by `edge`, or -1 if the curve ends there.
     int Continuation(int v, int edge) const {

@@ -7,6 +7,7 @@
 #include "butterfly_oracle.h"
 #include "meshes.h"
 #include "open_mesh_oracle.h"
+#include "sharp_features.h"
 #include "solid_shapes.h"
 #include "surface_compare.h"
 #include "surface_shapes.h"
@@ -39,11 +40,12 @@ std::vector<Pair> SurfaceSchemes() {
 }
 
 Findings Compare(const Far::TopologyDescriptor& mesh, const Pair& pair, const std::vector<Triangle>& triangles,
-                 std::span<const double> positions, const SurfaceTags& tags, const ComparedLevels& levels) {
+                 std::span<const double> positions, const SurfaceTags& tags, const ComparedLevels& levels,
+                 const std::optional<SurfaceTags>& oracle_tags = {}) {
     const TaggedMesh tagged(mesh, tags);
     auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
     refiner.RefineUniform({.max_level = levels.positions});
-    const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
+    const SurfaceOfMesh start = TakeSurface(triangles, positions, oracle_tags.value_or(tags));
     const auto oracle = RefineByButterflyOracle(start.surface, pair.rule, levels.positions, levels.rows);
     return CompareWithLevels(refiner, pair.scheme, positions, start, oracle.levels, levels.rows);
 }
@@ -85,15 +87,27 @@ Findings ValidateButterflyBoundary(const Context& context) {
     std::array pairs{Pair{"modified butterfly", modified, ButterflyRule::Modified()},
                      Pair{"butterfly", plain, ButterflyRule::Plain()}};
     for (Pair& pair : pairs) pair.rule.has_regular_corners = false;
+    std::uint32_t seed = 300;
     for (const SolidShape& shape : shapes) {
         const CellArrays cells(shape.complex);
-        for (const Pair& pair : pairs) {
-            findings.Merge(Compare(cells.Descriptor(shape.n_vertices()), pair, BoundaryTriangles(shape.complex),
-                                   shape.positions, {}, {3, 2}),
-                           shape.name + ", " + pair.name);
+        const std::vector<Triangle> triangles = BoundaryTriangles(shape.complex);
+        const SurfaceTags features = SharpFeaturesOf(shape.complex), tags = RandomTags(triangles, ++seed, true);
+        for (Pair pair : pairs) {
+            const auto compare = [&](const char* how, const SurfaceTags& ours, const SurfaceTags& theirs,
+                                     const ComparedLevels& levels) {
+                findings.Merge(Compare(cells.Descriptor(shape.n_vertices()), pair, triangles, shape.positions, ours,
+                                       levels, theirs),
+                               shape.name + ", " + pair.name + how);
+            };
+            compare("", {}, {}, {3, 2});
+            compare(", tags", tags, tags, {2, 1});
+            std::get<Sdc::Interpolatory>(pair.scheme).features = Sdc::Features::Sharp;
+            compare(", sharp", {}, features, {2, 1});
+            compare(", sharp, tags", tags, Merged(tags, features), {2, 1});
         }
     }
-    findings.notes.push_back(std::to_string(shapes.size()) + " solids");
+    findings.notes.push_back(std::to_string(shapes.size()) +
+                             " solids, levels 1-3 plain, 1-2 with sharp features and random creases and corners");
     return findings;
 }
 

@@ -7,6 +7,7 @@
 #include "catalogue.h"
 #include "polygon_compare.h"
 #include "polygon_shapes.h"
+#include "sharp_features.h"
 #include "surface_shapes.h"
 #include "validators.h"
 
@@ -132,12 +133,7 @@ Findings ValidateCatmarkBoundary(const Context&) {
         compare("sharp", Sdc::Features::Sharp, {}, sharp);
         const SurfaceTags tags = RandomTags(faces, ++seed, false);
         compare("smooth, tags", Sdc::Features::Smooth, tags, tags);
-        SurfaceTags both = tags;
-        both.creases.insert(both.creases.end(), sharp.creases.begin(), sharp.creases.end());
-        both.crease_sharpness.insert(both.crease_sharpness.end(), sharp.creases.size(), 10.0f);
-        both.corners.insert(both.corners.end(), sharp.corners.begin(), sharp.corners.end());
-        both.corner_sharpness.insert(both.corner_sharpness.end(), sharp.corners.size(), 10.0f);
-        compare("sharp, tags", Sdc::Features::Sharp, tags, both);
+        compare("sharp, tags", Sdc::Features::Sharp, tags, Merged(tags, sharp));
     }
     findings.notes.push_back(std::to_string(shapes.size()) +
                              " solids, levels 1-3, both features, with and without tags");

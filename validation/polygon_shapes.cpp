@@ -6,8 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <numbers>
 
+#include "sharp_features.h"
 #include "solid_shapes.h"
 #include "surface_shapes.h"
 
@@ -131,30 +133,19 @@ std::vector<Polygon> BoundaryOf(const HexShape& shape) {
 }
 
 SurfaceTags SharpFeaturesOf(const HexShape& shape) {
-    std::map<std::array<int, 2>, int> cells_of_edge;
-    std::map<int, int> cells_of_vertex;
+    std::vector<std::vector<std::array<int, 2>>> edges_of_cells;
     for (const auto& cell : shape.cells) {
-        std::map<std::array<int, 2>, int> edges;
+        std::set<std::array<int, 2>> edges;
         for (const auto& face : kFaces) {
             for (std::size_t k = 0; k < 4; ++k) {
                 const int a = cell[static_cast<std::size_t>(face[k])],
                           b = cell[static_cast<std::size_t>(face[(k + 1) % 4])];
-                edges[{std::min(a, b), std::max(a, b)}] = 1;
+                edges.insert({std::min(a, b), std::max(a, b)});
             }
         }
-        for (const auto& [edge, one] : edges) cells_of_edge[edge] += one;
-        for (int v : cell) ++cells_of_vertex[v];
+        edges_of_cells.emplace_back(edges.begin(), edges.end());
     }
-    SurfaceTags tags;
-    for (const auto& [edge, n] : cells_of_edge) {
-        if (n == 1) tags.creases.push_back(edge);
-    }
-    for (const auto& [v, n] : cells_of_vertex) {
-        if (n == 1) tags.corners.push_back(v);
-    }
-    tags.crease_sharpness.assign(tags.creases.size(), 10.0f);
-    tags.corner_sharpness.assign(tags.corners.size(), 10.0f);
-    return tags;
+    return SharpFeaturesOf(edges_of_cells);
 }
 
 std::vector<PolygonShape> PolygonShapes() {

@@ -185,11 +185,12 @@ Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Schem
 
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const SurfaceTags& tags, const ComparedLevels& levels) {
+                         const SurfaceTags& tags, const ComparedLevels& levels,
+                         const std::optional<SurfaceTags>& oracle_tags) {
     const TaggedMesh tagged(mesh, tags);
     auto refiner = Far::TopologyRefiner::Create(tagged.descriptor, Sdc::Split::TetOct);
     refiner.RefineUniform({.max_level = levels.positions});
-    const SurfaceOfMesh start = TakeSurface(triangles, positions, tags);
+    const SurfaceOfMesh start = TakeSurface(triangles, positions, oracle_tags.value_or(tags));
     const auto oracle = RefineByOpenSubdiv(start.surface, levels.positions, levels.rows);
     return CompareWithLevels(refiner, scheme, positions, start, oracle, levels.rows);
 }

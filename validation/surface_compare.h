@@ -3,6 +3,7 @@
 // parent-child relations of both refiners, never by position.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,8 +65,10 @@ Findings CompareWithLevels(const Far::TopologyRefiner& refiner, const Sdc::Schem
 /// All of it for one mesh, under one scheme: refines, makes the tables, compares. The mesh gets the tags as creases and
 /// corners.
 /// @param tags of vertices of the mesh; creases that are edges of the triangles
+/// @param oracle_tags what the scheme makes of the mesh and the tags; otherwise the tags
 Findings CompareWithLoop(const Far::TopologyDescriptor& mesh, const Sdc::Scheme& scheme,
                          const std::vector<Triangle>& triangles, std::span<const double> positions,
-                         const SurfaceTags& tags = {}, const ComparedLevels& levels = ComparedLevels());
+                         const SurfaceTags& tags = {}, const ComparedLevels& levels = ComparedLevels(),
+                         const std::optional<SurfaceTags>& oracle_tags = {});
 
 }  // namespace SolidSubdiv::Validation

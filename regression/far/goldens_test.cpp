@@ -39,25 +39,28 @@ struct Golden {
 
 std::vector<Golden> Compute(double fault = 0) {
     std::vector<Golden> goldens;
-    for (const auto& [name, shape] : TestShapes::AllShapes()) {
-        for (const auto& [scheme_name, scheme] : AllSchemes()) {
-            if (!IsSolid(scheme) && !(shape.tets.empty() && shape.octs.empty())) continue;
-            const auto refiner = Refined(shape, 2, true);
+    const auto add = [&](const std::string& name, const auto& shape, Sdc::Split split) {
+        auto refiner = Far::TopologyRefiner::Create(Describe(shape), split);
+        refiner.RefineUniform({.max_level = 2, .full_topology_in_last_level = true});
+        for (const auto& [scheme_name, scheme] : AllSchemes(split)) {
+            if (!IsSolid(scheme) && refiner.n_cells(0) > 0) continue;
             auto refined = Apply(Far::StencilTable::Create(refiner, scheme), shape.positions);
             refined[refined.size() / 3] += fault;
             const auto limit = Far::LimitStencilTable::Create(refiner, scheme);
-            Golden g{std::string(name) + "; " + scheme_name, refiner.level(2).n_vertices, Digest(refined)};
+            Golden g{name + "; " + scheme_name, refiner.n_vertices(2), Digest(refined)};
             const auto limits = Digest(Apply(Far::StencilTable::FromRows(g.n_vertices, {limit.rows()}), refined));
             g.digest.insert(g.digest.end(), limits.begin(), limits.end());
             goldens.push_back(g);
         }
-    }
+    };
+    for (const auto& [name, shape] : TestShapes::AllShapes()) add(std::string(name), shape, Sdc::Split::TetOct);
+    for (const auto& [name, shape] : TestShapes::PolyhedralShapes()) add(name, shape, Sdc::Split::Polyhedral);
     return goldens;
 }
 
 void Write(const std::vector<Golden>& goldens) {
     std::ofstream file(kFile);
-    file << "# Level 2 and its limit positions of regression/test_shapes.h under every scheme; written by\n"
+    file << "# Level 2 and its limit positions of regression/*_shapes.h under every scheme; written by\n"
             "# SOLIDSUBDIV_WRITE_GOLDENS=1 test_far --gtest_filter='Goldens*' (regression/far/goldens_test.cpp).\n"
             "# shape; scheme and options | vertices | sums of x y z, sums weighted by place; the same of the limits\n";
     for (const Golden& g : goldens) {

@@ -18,19 +18,8 @@ using Far::TopologyRefiner;
 using TestFar::Describe;
 using TestShapes::PolyhedralShape;
 
-struct Named {
-    std::string name;
-    PolyhedralShape shape;
-};
-std::vector<Named> Shapes() {
-    return {{"block", TestShapes::HexBlock(3)},
-            {"mixed", TestShapes::MixedCells()},
-            {"touching", TestShapes::TouchingCubes()},
-            {"sheets", TestShapes::CubeWithSheets()}};
-}
-
 TEST(PolyhedralLaws, RowsSumToOneAndNameNoVertexTwice) {
-    for (const auto& [name, shape] : Shapes()) {
+    for (const auto& [name, shape] : TestShapes::PolyhedralShapes()) {
         auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
         refiner.RefineUniform({.max_level = 2});
         for (const auto& [scheme_name, scheme] : TestFar::AllSchemes(Sdc::Split::Polyhedral)) {

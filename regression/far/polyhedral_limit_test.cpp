@@ -17,10 +17,7 @@ using TestFar::Describe;
 using TestShapes::PolyhedralShape;
 
 std::vector<std::pair<std::string, PolyhedralShape>> Shapes() {
-    std::vector<std::pair<std::string, PolyhedralShape>> shapes{{"block", TestShapes::HexBlock(3)},
-                                                                {"mixed", TestShapes::MixedCells()},
-                                                                {"touching", TestShapes::TouchingCubes()},
-                                                                {"sheets", TestShapes::CubeWithSheets()}};
+    auto shapes = TestShapes::PolyhedralShapes();
     for (auto& entry : shapes) {
         for (std::size_t i = 0; i < entry.second.positions.size(); ++i) {
             entry.second.positions[i] += 0.1 * std::sin(7.0 * static_cast<double>(i));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <solidsubdiv/far/creases.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/far/stencil_table.h>
 
 #include "bytes.h"
@@ -121,6 +122,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             if (!Sdc::Takes(scheme, Sdc::Split::Polyhedral) || (has_cells && !scheme.kSolids)) return;
             Fuzz::CheckTable(Far::StencilTable::Create(refiner, scheme));
             Far::CreasesAt(refiner, scheme, levels);
+            Fuzz::CheckRows(Far::LimitStencilTable::Create(refiner, scheme, {.level = 0}).rows(), true);
         });
         const Sdc::CatmullClarkSolid chaikin{.features = Sdc::Features::Smooth,
                                              .creasing = Sdc::CreasingMethod::Chaikin};

@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             try {
                 CheckTable(Far::StencilTable::Create(refiner, scheme));
                 CheckTable(Far::StencilTable::CreateComposite(refiner, scheme, {{.level = levels}}));
-                Far::LimitStencilTable::Create(refiner, scheme);
+                Fuzz::CheckRows(Far::LimitStencilTable::Create(refiner, scheme).rows(), true);
                 Far::CreasesAt(refiner, scheme, levels);
             } catch (const InvalidInput&) {
                 Require(has_semi_sharp);

@@ -148,7 +148,11 @@ void InterpolateChildren(const Vtr::PolyhedralLevel&, const Internal::Polyhedral
                          const Real*, Real* destination, int width) {
     const Internal::PolyhedralRows* const rows = &of_level;
     InterpolateRows(
-        rows->n_children(), [](Index, auto&) { return false; }, [rows](Index v) { return rows->MaxLength(v); },
+        rows->n_children(),
+        [rows](Index v, auto& add) {
+            return rows->Visit(v, [&](Index i, double weight) { add(i, static_cast<Real>(weight)); });
+        },
+        [rows](Index v) { return rows->MaxLength(v); },
         [rows](Index v, Index* indices, Real* weights, auto& scratch) {
             return static_cast<int>(rows->Fill(v, indices, weights, scratch));
         },

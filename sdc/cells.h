@@ -25,6 +25,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace SolidSubdiv::Sdc {
@@ -68,6 +69,8 @@ struct Hex {
         {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
     /// How many edges lie between two vertices.
     static constexpr int Distance(int a, int b) { return std::popcount(Place(a) ^ Place(b)); }
+    /// The vertex three edges away.
+    static constexpr std::size_t Opposite(int vertex) { return static_cast<std::size_t>(vertex ^ 6); }
 
   private:
     /// One bit an axis.

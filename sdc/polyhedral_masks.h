@@ -58,6 +58,46 @@ struct PolyhedralRules {
         return {0.5 * (1.0 - 2.0 * face), face};
     }
 
+    // The same rules, multiplied out where all cells are hexahedra, all faces quadrilaterals.
+
+    /// Inside a solid: self; edge + edge_cell * its cells, for each edge's end; each vertex across a face; across a
+    /// cell.
+    struct HexVertexWeights {
+        double self, edge, edge_cell, face, far;
+    };
+    HexVertexWeights HexVertex(int n_edges, int n_faces, int n_cells) const {
+        const double cell = 1.0 / (64.0 * n_cells);
+        if (solid == PolyhedralRule::Averaged) return {27.0 / 64.0, 0, 9 * cell, 6 * cell, cell};
+        const double face = 3.0 / (32.0 * n_faces);
+        return {27.0 / 64.0, 3.0 / (16.0 * n_edges), face + cell, face + 2 * cell, cell};
+    }
+
+    /// Inside a solid, on an edge of n faces: each end, each other vertex of the faces, each of the cells.
+    struct HexEdgeWeights {
+        double end, face, far;
+    };
+    HexEdgeWeights HexEdge(int n) const {
+        if (solid == PolyhedralRule::Averaged) return {9.0 / 32.0, 3.0 / (16.0 * n), 1.0 / (32.0 * n)};
+        const double share = 1.0 / (8.0 * n);
+        return {(n - 2.0) / (2.0 * n) + share, 6 * share / n, share / n};
+    }
+
+    /// Inside a solid, in a face: its vertices, the others of the two cells.
+    struct HexFaceWeights {
+        double near, far;
+    };
+    HexFaceWeights HexFace() const { return {3.0 / 16.0, 1.0 / 32.0}; }
+
+    /// On a surface, at a vertex of n edges: self, each neighbour, each vertex across a face.
+    struct QuadVertexWeights {
+        double self, neighbor, across;
+    };
+    QuadVertexWeights QuadVertex(int n) const {
+        if (surface == PolyhedralRule::Averaged) return {9.0 / 16.0, 3.0 / (8.0 * n), 1.0 / (16.0 * n)};
+        const double share = 1.0 / (4.0 * n * n);
+        return {(n - 2.0) / n + n * share, 6 * share, share};
+    }
+
     /// On a surface, at a vertex of n edges: self + neighbor * sum of the other ends + face * sum of centroids
     struct SurfaceVertex {
         double self, neighbor, face;

@@ -4,10 +4,13 @@
 // Rules speak of centroids of cells, faces and edges around a place; a row sums the vertices that these are means of.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 
 #include <solidsubdiv/far/internal/cell_averages.h>
 #include <solidsubdiv/far/internal/centroid_row.h>
+#include <solidsubdiv/far/internal/hex_rows.h>
 #include <solidsubdiv/far/internal/sharpness.h>
 #include <solidsubdiv/sdc/masks.h>
 #include <solidsubdiv/sdc/polyhedral_masks.h>
@@ -20,7 +23,13 @@ class PolyhedralRows {
     /// @param sharpness the parent's
     PolyhedralRows(const Vtr::PolyhedralLevel& parent, const Sharpness& sharpness, const Sdc::PolyhedralRules& rules,
                    Sdc::CreasingMethod creasing)
-        : level_(parent), graph_(parent), sharp_(graph_, sharpness, creasing), rules_(rules) {
+        : level_(parent),
+          graph_(parent),
+          sharp_(graph_, sharpness, creasing),
+          rules_(rules),
+          hexes_(parent, rules),
+          max_face_(MaxFaceOf(parent)),
+          max_cell_(MaxCellOf(parent)) {
         assert(parent.is_full);
     }
 
@@ -31,38 +40,51 @@ class PolyhedralRows {
         return level_.n_vertices + level_.n_edges + level_.n_faces + static_cast<Index>(level_.n_cells());
     }
 
-    /// At least the number of entries of a row.
+    /// At least the number of entries of a row; quick where the complex is a manifold of cells.
     std::size_t MaxLength(Index child) const {
         const auto [kind, i] = Locate(child);
-        std::size_t n = 2;
-        const auto add_cell = [&](Index c) {
-            if (c != kNoIndex) n += level_.CellVertices(c).size();
-        };
-        const auto add_faces = [&](Index e) {
-            for (Index f : level_.edge_faces[e]) n += level_.FaceVertices(f).size();
-        };
         switch (kind) {
             case Kind::Vertex:
-                for (Index c : level_.vertex_cells[i]) add_cell(c);
-                for (Index e : level_.vertex_edges[i]) {
-                    ++n;
-                    add_faces(e);
+                if (IsAmongCells(level_.vertex_tags[i])) {
+                    return 1 + level_.vertex_edges[i].size() + level_.vertex_cells[i].size() * max_cell_;
                 }
-                break;
+                return MaxVertexLength(i);
             case Kind::Edge:
-                add_faces(i);
-                for (Index f : level_.edge_faces[i]) {
-                    for (Index c : level_.FaceCells(f)) add_cell(c);
-                }
-                break;
+                return 2 + level_.edge_faces[i].size() * (max_face_ + 2 * max_cell_);
             case Kind::Face:
-                n += level_.FaceVertices(i).size();
-                for (Index c : level_.FaceCells(i)) add_cell(c);
-                break;
-            case Kind::Cell:
-                add_cell(i);
+                return max_face_ + 2 * max_cell_;
+            default:
+                return level_.CellVertices(i).size();
         }
-        return n;
+    }
+
+    /// Calls add(vertex, weight) for the entries of a row, if all around is hexahedra and quadrilaterals; a vertex may
+    /// come twice where cells or faces meet in more than a part. Otherwise false, and no call: Fill knows.
+    template <class Add>
+    bool Visit(Index child, Add&& add) const {
+        const auto [kind, i] = Locate(child);
+        if (kind == Kind::Cell) {
+            if (!level_.IsHex(i)) return false;
+            for (Index v : level_.CellVertices(i)) add(v, 1.0 / 8.0);
+            return true;
+        }
+        if (rules_.is_linear()) return false;
+        if (kind == Kind::Face) return !level_.IsBoundary(i) && hexes_.VisitFace(i, add);
+        const Vtr::Tag tag = kind == Kind::Vertex ? level_.vertex_tags[i] : level_.edge_tags[i];
+        if (tag.non_manifold()) return false;
+        if (tag.rule() == Vtr::Rule::Solid) {
+            return kind == Kind::Vertex ? hexes_.VisitVertex(i, add) : hexes_.VisitEdge(i, add);
+        }
+        if (tag.rule() != Vtr::Rule::Surface) return false;
+        if (kind == Kind::Edge) return !sharp_.ChangesEdge(i) && hexes_.VisitSurfaceEdge(i, add);
+        if (sharp_.ChangesVertex(i)) return false;
+        std::array<Index, 16> edges;
+        std::size_t n = 0;
+        ForSurfaceEdges(graph_, i, [&](Index e) {
+            if (n < edges.size()) edges[n] = e;
+            ++n;
+        });
+        return n <= edges.size() && hexes_.VisitSurfaceVertex(i, {edges.data(), n}, add);
     }
 
     /// Fills the row and returns its length. Room for MaxLength(child) is needed.
@@ -72,19 +94,7 @@ class PolyhedralRows {
         scratch.MakeNotes(level_.n_vertices);
         if (const std::size_t room = MaxLength(child); scratch.sums.size() < room) scratch.sums.resize(2 * room);
         CentroidRow row(indices, scratch);
-        switch (kind) {
-            case Kind::Vertex:
-                AddVertex(i, row);
-                break;
-            case Kind::Edge:
-                AddEdge(i, row);
-                break;
-            case Kind::Face:
-                AddFace(i, row);
-                break;
-            case Kind::Cell:
-                AddCell(i, row);
-        }
+        if (!Visit(child, [&](Index v, double weight) { row.Add(v, weight); })) Add(kind, i, row);
         for (int k = 0; k < row.size(); ++k) weights[k] = static_cast<Real>(row[k]);
         return static_cast<std::size_t>(row.size());
     }
@@ -102,6 +112,40 @@ class PolyhedralRows {
         child -= level_.n_edges;
         if (child < level_.n_faces) return {Kind::Face, child};
         return {Kind::Cell, child - level_.n_faces};
+    }
+
+    static bool IsAmongCells(Vtr::Tag tag) { return tag.in_cell() && !tag.non_manifold(); }
+    std::size_t MaxVertexLength(Index v) const {
+        std::size_t n = 1 + level_.vertex_cells[v].size() * max_cell_;
+        for (Index e : level_.vertex_edges[v]) n += 1 + level_.edge_faces[e].size() * max_face_;
+        return n;
+    }
+    /// The greatest number of vertices of a face; of a cell, which must be full.
+    static std::size_t MaxFaceOf(const Vtr::PolyhedralLevel& level) {
+        int n = 4;
+        if (level.face_rows.is_fixed()) return static_cast<std::size_t>(level.face_rows.fixed);
+        for (Index f = 0; f < level.n_faces; ++f) n = std::max(n, level.face_rows.Count(f));
+        return static_cast<std::size_t>(n);
+    }
+    static std::size_t MaxCellOf(const Vtr::PolyhedralLevel& level) {
+        std::size_t n = Sdc::Hex::kVertices;
+        for (Index c = level.n_hexes; c < static_cast<Index>(level.n_cells()); ++c) {
+            n = std::max(n, level.CellVertices(c).size());
+        }
+        return n;
+    }
+
+    void Add(Kind kind, Index i, CentroidRow& row) const {
+        switch (kind) {
+            case Kind::Vertex:
+                return AddVertex(i, row);
+            case Kind::Edge:
+                return AddEdge(i, row);
+            case Kind::Face:
+                return AddFace(i, row);
+            case Kind::Cell:
+                return AddCell(i, row);
+        }
     }
 
     void AddCell(Index c, CentroidRow& row) const {
@@ -267,6 +311,8 @@ class PolyhedralRows {
     const Vtr::EdgeGraph graph_;
     const SharpRules sharp_;
     const Sdc::PolyhedralRules rules_;
+    const HexRows hexes_;
+    const std::size_t max_face_, max_cell_;  // vertices
 };
 
 }  // namespace SolidSubdiv::Far::Internal

@@ -113,6 +113,57 @@ PolyhedralShape HexesAroundEdge(int n) {
     return s;
 }
 
+// Hexahedra have rows of their own; as polyhedra they have the general ones.
+TEST(PolyhedralLaws, HexahedraAsPolyhedraHaveTheSameRows) {
+    for (PolyhedralShape shape :
+         {TestShapes::HexBlock(3), TestShapes::TouchingCubes(), HexesAroundEdge(3), HexesAroundEdge(5)}) {
+        PolyhedralShape general = shape;
+        general.hexes.clear();
+        for (std::size_t c = 0; c < shape.hexes.size(); c += 8) {
+            general.AddCell(Sdc::Hex::faces, std::span<const Index, 8>(shape.hexes.data() + c, 8));
+        }
+        auto ours = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral),
+             theirs = TopologyRefiner::Create(Describe(general), Sdc::Split::Polyhedral);
+        ours.RefineUniform({.max_level = 1});
+        theirs.RefineUniform({.max_level = 1});
+        ASSERT_GT(theirs.polyhedral_level(0).n_polyhedra(), 0);
+        for (const auto& [name, scheme] : TestFar::AllSchemes(Sdc::Split::Polyhedral)) {
+            if (!TestFar::IsSolid(scheme)) continue;
+            const auto a = Far::StencilTable::Create(ours, scheme), b = Far::StencilTable::Create(theirs, scheme);
+            ASSERT_EQ(a.level(1).n_rows(), b.level(1).n_rows());
+            std::vector<double> difference(static_cast<std::size_t>(shape.n_vertices));
+            for (Index row = 0; row < a.level(1).n_rows(); ++row) {
+                std::fill(difference.begin(), difference.end(), 0.0);
+                for (std::size_t k = 0; k < a.level(1).Indices(row).size(); ++k) {
+                    difference[static_cast<std::size_t>(a.level(1).Indices(row)[k])] += a.level(1).Weights(row)[k];
+                }
+                for (std::size_t k = 0; k < b.level(1).Indices(row).size(); ++k) {
+                    difference[static_cast<std::size_t>(b.level(1).Indices(row)[k])] -= b.level(1).Weights(row)[k];
+                }
+                for (double d : difference) ASSERT_NEAR(d, 0, 1e-15) << name << " " << row;
+            }
+        }
+    }
+}
+
+TEST(PolyhedralLaws, ValuesAreThoseOfTheTables) {
+    for (const auto& [name, shape] : TestShapes::PolyhedralShapes()) {
+        auto refiner = TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
+        refiner.RefineUniform({.max_level = 2});
+        for (const auto& [scheme_name, scheme] : TestFar::AllSchemes(Sdc::Split::Polyhedral)) {
+            if (!TestFar::IsSolid(scheme)) continue;
+            std::vector<double> values = shape.positions;
+            for (int l = 1; l <= 2; ++l) {
+                std::vector<double> next(3 * static_cast<std::size_t>(refiner.n_vertices(l)));
+                Far::PrimvarRefiner(refiner, scheme).Interpolate<double>(l, values, next, 3);
+                values = next;
+            }
+            TestFar::ExpectNear(values, TestFar::Apply(Far::StencilTable::Create(refiner, scheme), shape.positions),
+                                1e-14);
+        }
+    }
+}
+
 // What is constant along an edge stays so under mlca. Under Catmull-Clark it does not: rules.md section 4 has the
 // figures.
 TEST(PolyhedralLaws, ExtrudedDataStayExtrudedAlongEdgesUnderMlcaAlone) {

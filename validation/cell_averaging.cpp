@@ -8,38 +8,12 @@
 #include "cell_averaging_oracle.h"
 #include "cell_shapes.h"
 #include "meshes.h"
+#include "points.h"
 #include "validators.h"
 
 namespace SolidSubdiv::Validation {
 
 namespace {
-
-std::vector<double> Apply(const Far::StencilRows<double>& rows, const std::vector<double>& values) {
-    std::vector<double> next(3 * static_cast<std::size_t>(rows.n_rows()), 0.0);
-    for (Index i = 0; i < rows.n_rows(); ++i) {
-        for (std::size_t k = 0; k < rows.Indices(i).size(); ++k) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                next[3 * static_cast<std::size_t>(i) + c] +=
-                    rows.Weights(i)[k] * values[3 * static_cast<std::size_t>(rows.Indices(i)[k]) + c];
-            }
-        }
-    }
-    return next;
-}
-
-/// The largest extent along an axis.
-double SizeOf(const std::vector<double>& positions) {
-    double size = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        double low = positions[c], high = positions[c];
-        for (std::size_t i = c; i < positions.size(); i += 3) {
-            low = std::min(low, positions[i]);
-            high = std::max(high, positions[i]);
-        }
-        size = std::max(size, high - low);
-    }
-    return size;
-}
 
 /// Compares children with the oracle's points of one kind.
 class Children {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 #include <numbers>
+#include <set>
 
 #include "sharp_features.h"
 #include "solid_shapes.h"

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "points.h"
+
 namespace SolidSubdiv::Validation {
 
 namespace {
@@ -59,20 +61,6 @@ std::vector<int> MatchNext(const SurfaceLevel& ours, const SurfaceLevel& theirs,
         next.at(ours.children_of_edges[e]) = theirs.children_of_edges[found->second];
     }
     return next;
-}
-
-/// The length of the diagonal of the box around all points.
-double SizeOf(const std::vector<double>& positions) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        double low = positions.at(i), high = positions.at(i);
-        for (std::size_t k = i; k < positions.size(); k += 3) {
-            low = std::min(low, positions[k]);
-            high = std::max(high, positions[k]);
-        }
-        sum += (high - low) * (high - low);
-    }
-    return std::sqrt(sum);
 }
 
 }  // namespace

@@ -9,26 +9,14 @@
 
 #include <solidsubdiv/osd/evaluator.h>
 
+#include "points.h"
+
 namespace SolidSubdiv::Validation {
 
 namespace {
 
 std::string Name(const char* kind, std::int64_t i, int level) {
     return std::string(kind) + " " + std::to_string(i) + " of level " + std::to_string(level);
-}
-
-/// The length of the diagonal of the box around all points.
-double SizeOf(std::span<const double> positions) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        double low = positions[i], high = positions[i];
-        for (std::size_t k = i; k < positions.size(); k += 3) {
-            low = std::min(low, positions[k]);
-            high = std::max(high, positions[k]);
-        }
-        sum += (high - low) * (high - low);
-    }
-    return std::sqrt(sum);
 }
 
 /// The same triangle, its least vertex first.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "points.h"
 #include "validators.h"
 
 namespace SolidSubdiv::Validation {
@@ -110,19 +111,6 @@ std::array<double, kWidth> Sum(const RefinedCubes& cubes, const std::array<std::
         }
     }
     return sum;
-}
-
-std::vector<double> Apply(const Far::StencilRows<double>& rows, const std::vector<double>& values) {
-    std::vector<double> next(kWidth * static_cast<std::size_t>(rows.n_rows()), 0.0);
-    for (Index i = 0; i < rows.n_rows(); ++i) {
-        for (std::size_t k = 0; k < rows.Indices(i).size(); ++k) {
-            for (std::size_t c = 0; c < kWidth; ++c) {
-                next[kWidth * static_cast<std::size_t>(i) + c] +=
-                    rows.Weights(i)[k] * values[kWidth * static_cast<std::size_t>(rows.Indices(i)[k]) + c];
-            }
-        }
-    }
-    return next;
 }
 
 template <class RowOf>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/far/stencil_table.h>
 #include <solidsubdiv/far/topology_refiner.h>
 
@@ -104,6 +105,27 @@ inline void ExpectNear(const std::vector<double>& a, const std::vector<double>& 
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
     EXPECT_LE(largest, tolerance);
+}
+
+inline std::vector<double> Limits(const Far::LimitStencilTable& table, const std::vector<double>& values) {
+    return Apply(Far::StencilTable::FromRows(table.rows().n_sources, {table.rows()}), values);
+}
+
+/// Limits at the vertices of levels 0 and 1 are those of the same vertices one level on. @param refiner two full levels
+inline void ExpectLimitsAreFixedPoints(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                       std::vector<double> values, double tolerance) {
+    const auto table = Far::StencilTable::Create(refiner, scheme);
+    for (int l = 0; l < 2; ++l) {
+        const auto before = Far::LimitStencilTable::Create(refiner, scheme, {.level = l});
+        const auto after = Far::LimitStencilTable::Create(refiner, scheme, {.level = l + 1});
+        EXPECT_TRUE(before.without_limit().empty());
+        const auto next = Apply(Far::StencilTable::FromRows(refiner.n_vertices(l), {table.level(l + 1)}), values);
+        const auto a = Limits(before, values);
+        auto b = Limits(after, next);
+        b.resize(a.size());  // vertices come first among the children
+        ExpectNear(a, b, tolerance);
+        values = next;
+    }
 }
 
 /// Points in an order that does not depend on their numbers; coordinates rounded to 1e-10, so that round-off can't

@@ -11,10 +11,6 @@ namespace {
 using namespace SolidSubdiv;
 using namespace SolidSubdiv::TestFar;
 
-std::vector<double> Limits(const Far::LimitStencilTable& table, const std::vector<double>& values) {
-    return Apply(Far::StencilTable::FromRows(table.rows().n_sources, {table.rows()}), values);
-}
-
 // The limit of a vertex is the same whether taken before or after a refinement.
 TEST(LimitMask, IsAFixedPointOfRefinement) {
     for (const auto& [name, shape] : TestShapes::AllShapes()) {
@@ -22,20 +18,7 @@ TEST(LimitMask, IsAFixedPointOfRefinement) {
             if (!IsSolid(scheme) && !(shape.tets.empty() && shape.octs.empty())) continue;
             SCOPED_TRACE(std::string(name) + ", " + scheme_name);
             const auto refiner = Refined(shape, 2, true);
-            const auto table = Far::StencilTable::Create(refiner, scheme);
-            std::vector<double> values = shape.positions;
-            for (int l = 0; l < 2; ++l) {
-                const auto before = Far::LimitStencilTable::Create(refiner, scheme, {.level = l});
-                const auto after = Far::LimitStencilTable::Create(refiner, scheme, {.level = l + 1});
-                EXPECT_TRUE(before.without_limit().empty());
-                const auto next =
-                    Apply(Far::StencilTable::FromRows(refiner.level(l).n_vertices, {table.level(l + 1)}), values);
-                const auto a = Limits(before, values);
-                auto b = Limits(after, next);
-                b.resize(a.size());  // vertices come first among the children
-                ExpectNear(a, b, 2e-14);
-                values = next;
-            }
+            ExpectLimitsAreFixedPoints(refiner, scheme, shape.positions, 2e-14);
         }
     }
 }

@@ -32,30 +32,13 @@ Far::TopologyRefiner Refined(const PolyhedralShape& shape, int levels) {
     return refiner;
 }
 
-std::vector<double> Limits(const Far::LimitStencilTable& table, const std::vector<double>& values) {
-    return TestFar::Apply(Far::StencilTable::FromRows(table.rows().n_sources, {table.rows()}), values);
-}
-
 TEST(PolyhedralLimitMask, IsAFixedPointOfRefinement) {
     for (const auto& [name, shape] : Shapes()) {
         const auto refiner = Refined(shape, 2);
         for (const auto& [scheme_name, scheme] : TestFar::AllSchemes(Sdc::Split::Polyhedral)) {
             if (!TestFar::IsSolid(scheme)) continue;
             SCOPED_TRACE(name + ", " + scheme_name);
-            const auto table = Far::StencilTable::Create(refiner, scheme);
-            std::vector<double> values = shape.positions;
-            for (int l = 0; l < 2; ++l) {
-                const auto before = Far::LimitStencilTable::Create(refiner, scheme, {.level = l});
-                const auto after = Far::LimitStencilTable::Create(refiner, scheme, {.level = l + 1});
-                EXPECT_TRUE(before.without_limit().empty());
-                const auto next =
-                    TestFar::Apply(Far::StencilTable::FromRows(refiner.n_vertices(l), {table.level(l + 1)}), values);
-                const auto a = Limits(before, values);
-                auto b = Limits(after, next);
-                b.resize(a.size());  // vertices come first among the children
-                TestFar::ExpectNear(a, b, 5e-14);
-                values = next;
-            }
+            TestFar::ExpectLimitsAreFixedPoints(refiner, scheme, shape.positions, 5e-14);
         }
     }
 }
@@ -79,7 +62,8 @@ TEST(PolyhedralLimitMask, IsWhereDeepRefinementGoes) {
     const auto refiner = Refined(shape, 4);
     for (const Sdc::Scheme& scheme : {Sdc::Scheme(Sdc::CatmullClarkSolid{}), Sdc::Scheme(Sdc::Mlca{})}) {
         const auto deep = TestFar::Apply(Far::StencilTable::Create(refiner, scheme), shape.positions);
-        const auto limits = Limits(Far::LimitStencilTable::Create(refiner, scheme, {.level = 0}), shape.positions);
+        const auto limits =
+            TestFar::Limits(Far::LimitStencilTable::Create(refiner, scheme, {.level = 0}), shape.positions);
         // The distance falls by about 4 a level.
         TestFar::ExpectNear(std::vector<double>(deep.begin(), deep.begin() + static_cast<long>(limits.size())), limits,
                             1e-2);

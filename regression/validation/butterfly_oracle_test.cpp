@@ -209,7 +209,8 @@ TEST_F(ButterflyOracle, CompositeRowsGiveThePositions) {
         for (std::size_t l = 1; l < refined.levels.size(); ++l) {
             const SurfaceLevel& level = refined.levels[l];
             ASSERT_EQ(level.row_offsets.size(), static_cast<std::size_t>(level.n_vertices) + 1);
-            const auto positions = Apply({level.row_offsets, level.row_indices, level.row_weights}, shape.positions);
+            const auto positions =
+                Apply(SparseRows{level.row_offsets, level.row_indices, level.row_weights}, shape.positions);
             for (std::size_t i = 0; i < positions.size(); ++i) {
                 ASSERT_NEAR(positions[i], level.positions[i], kRoundOff * 10) << shape.name;  // sizes up to 10
             }

@@ -16,9 +16,12 @@ void Count(Histogram& histogram, Offset value, Offset how_many = 1) {
     histogram[value] += how_many;
 }
 
-}  // namespace
+bool IsInside(Vtr::Tag tag) { return tag.in_cell() && tag.rule() == Vtr::Rule::Solid; }
 
-ValenceHistograms MeasureValences(const Vtr::Level& level) {
+/// What a split adds to edges and faces: n_diagonals(vertex) neighbours of a vertex inside, n_cut(edge) cells around an
+/// edge inside.
+template <class AnyLevel, class Diagonals, class Cut>
+ValenceHistograms Measure(const AnyLevel& level, Diagonals&& n_diagonals, Cut&& n_cut) {
     assert(level.is_full);
     ValenceHistograms result;
     for (Index v = 0; v < level.n_vertices; ++v) {
@@ -26,11 +29,8 @@ ValenceHistograms MeasureValences(const Vtr::Level& level) {
         const Offset n_edges = static_cast<Offset>(edges.size());
         Count(result.vertex_edges, n_edges);
         const Vtr::Tag tag = level.vertex_tags[v];
-        if (tag.in_cell() && tag.rule() == Vtr::Rule::Solid) {
-            const auto locals = level.vertex_octs.Locals(v);
-            // Vertices 0 and 1 of an oct are the ends of its major diagonal.
-            const auto n_diagonals = std::count_if(locals.begin(), locals.end(), [](Sdc::Local i) { return i < 2; });
-            Count(result.solid_adjacent, n_edges + n_diagonals);
+        if (IsInside(tag)) {
+            Count(result.solid_adjacent, n_edges + n_diagonals(v));
         } else if (tag.in_face()) {
             const auto on_surface = [&](Index e) {
                 return level.edge_tags[e].in_face() && level.edge_tags[e].rule() != Vtr::Rule::Solid;
@@ -39,15 +39,31 @@ ValenceHistograms MeasureValences(const Vtr::Level& level) {
         }
     }
     for (Index e = 0; e < level.n_edges; ++e) {
-        const Vtr::Tag tag = level.edge_tags[e];
-        if (!tag.in_cell() || tag.rule() != Vtr::Rule::Solid) continue;
-        // Around an inner edge there are as many cells as faces; an oct whose diagonal ends here is two tets, not one.
-        const auto locals = level.edge_octs.Locals(e);
-        const auto cut = [](Sdc::Local i) { return i < Sdc::Oct::kDiagonalEdges; };
-        Count(result.links, level.edge_faces.Count(e) + std::count_if(locals.begin(), locals.end(), cut));
+        // Around an inner edge there are as many cells as faces.
+        if (IsInside(level.edge_tags[e])) Count(result.links, level.edge_faces.Count(e) + n_cut(e));
     }
+    return result;
+}
+
+Offset CountBelow(std::span<const Sdc::Local> locals, int limit) {
+    return std::count_if(locals.begin(), locals.end(), [&](Sdc::Local i) { return i < limit; });
+}
+
+}  // namespace
+
+ValenceHistograms MeasureValences(const Vtr::Level& level) {
+    // Vertices 0 and 1 of an oct are the ends of its major diagonal; where that ends on an edge, the oct is two tets
+    // there.
+    ValenceHistograms result = Measure(
+        level, [&](Index v) { return CountBelow(level.vertex_octs.Locals(v), 2); },
+        [&](Index e) { return CountBelow(level.edge_octs.Locals(e), Sdc::Oct::kDiagonalEdges); });
     if (level.n_octs > 0) Count(result.links, 4, level.n_octs);
     return result;
+}
+
+ValenceHistograms MeasureValences(const Vtr::PolyhedralLevel& level) {
+    const auto none = [](Index) { return Offset{0}; };
+    return Measure(level, none, none);
 }
 
 }  // namespace SolidSubdiv::Geometry

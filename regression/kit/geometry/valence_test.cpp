@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Valences and links in the tetrahedral view, on cells whose neighbourhoods are known.
+// Valences and links in the tetrahedral view and of polyhedra, on cells whose neighbourhoods are known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <solidsubdiv/far/topology_refiner.h>
@@ -7,6 +7,8 @@
 #include <solidsubdiv/kit/geometry/valence.h>
 
 #include <numeric>
+
+#include "polyhedral_shapes.h"
 
 namespace SolidSubdiv::Geometry {
 namespace {
@@ -52,6 +54,25 @@ TEST(Valence, InsideATetRefinedTwiceIsThatOfTheOctetTruss) {
     EXPECT_GE(h.links[4], level.n_octs);
     EXPECT_GT(h.links[6], 0);
     EXPECT_EQ(Total(h.vertex_edges), level.n_vertices);
+}
+
+TEST(Valence, OfHexahedraAndOfThreeWedgesAroundAnEdge) {
+    const auto block = TestShapes::HexBlock(3);
+    const auto hexes =
+        Far::TopologyRefiner::Create({.n_vertices = block.n_vertices, .hexes = block.hexes}, Sdc::Split::Polyhedral);
+    const ValenceHistograms h = MeasureValences(hexes.polyhedral_level(0));
+    EXPECT_THAT(h.solid_adjacent, ElementsAre(0, 0, 0, 0, 0, 0, 8));
+    EXPECT_THAT(h.surface_edges, ElementsAre(0, 0, 0, 8, 48));
+    EXPECT_THAT(h.links, ElementsAre(0, 0, 0, 0, 3 * 4 * 3));
+
+    // Vertices 0 and 4 are the axis.
+    const std::vector<Index> wedges{0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7, 0, 3, 1, 4, 7, 5};
+    const auto prism = Far::TopologyRefiner::Create({.n_vertices = 8, .wedges = wedges}, Sdc::Split::Polyhedral);
+    const ValenceHistograms around = MeasureValences(prism.polyhedral_level(0));
+    EXPECT_THAT(around.links, ElementsAre(0, 0, 0, 1));
+    EXPECT_THAT(around.surface_edges, ElementsAre(0, 0, 0, 2, 6)) << "the axis is no edge of the surface";
+    EXPECT_THAT(around.vertex_edges, ElementsAre(0, 0, 0, 0, 8));
+    EXPECT_THAT(around.solid_adjacent, IsEmpty());
 }
 
 TEST(CompactSurface, BoundaryOfALevelKeepsItsTrianglesOverItsOwnVertices) {

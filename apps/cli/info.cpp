@@ -41,10 +41,10 @@ Work AddInfo(CLI::App& command) {
     const auto file = std::make_shared<std::string>();
     command.add_option("FILE", *file, "the mesh")->required()->option_text(" ");
     command.footer(
-        "For cells: the volume, inverted cells and cells of no volume. For tetrahedra, octahedra, triangles and "
-        "edges\n"
-        "also: components of the boundary with their Euler characteristic and genus, histograms of valences and of\n"
-        "the links of inner edges, the share of matched faces, and defects, those that make a mesh unusable too.\n\n" +
+        "The size; of cells the volume, inverted ones and those of no volume; components of the boundary with their\n"
+        "Euler characteristic and genus; histograms of valences and of the cells around inner edges; cells that meet\n"
+        "only in an edge or a vertex; defects, those that make a mesh unusable too. Where all cells are tetrahedra or\n"
+        "octahedra also the share of matched faces.\n\n" +
         ReadableFilesHelp() +
         "\n\nExample:\n"
         "  solidsubdiv info lattice.vtu --json lattice.json");

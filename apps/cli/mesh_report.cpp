@@ -8,16 +8,13 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include <solidsubdiv/apps/cli/diagonal_data.h>
 #include <solidsubdiv/apps/cli/mesh_kinds.h>
-#include <solidsubdiv/far/choose_diagonals.h>
+#include <solidsubdiv/apps/cli/topology_report.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/geometry/cell_volume.h>
 #include <solidsubdiv/kit/geometry/coincident_vertices.h>
 #include <solidsubdiv/kit/geometry/orientation.h>
-#include <solidsubdiv/kit/geometry/surface_components.h>
-#include <solidsubdiv/kit/geometry/valence.h>
 #include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/sdc/errors.h>
 
@@ -27,7 +24,6 @@ namespace {
 
 constexpr Index kDefectsCounted = 100000;
 constexpr Index kDefectsListed = 100;
-constexpr std::size_t kPiecesListed = 100;
 constexpr std::size_t kElementsListed = 100;
 
 std::string NameOf(Far::DefectCode code) {
@@ -101,67 +97,6 @@ Json Volumes(const Io::Mesh& mesh) {
 Json Elements(const std::vector<Index>& elements) {
     const auto n = static_cast<std::ptrdiff_t>(std::min(elements.size(), kElementsListed));
     return {{"count", elements.size()}, {"first", std::vector<Index>(elements.begin(), elements.begin() + n)}};
-}
-
-Json Pieces(const std::vector<Index>& triangles, Index n_vertices) {
-    const auto pieces = Geometry::SurfaceComponents(triangles, n_vertices);
-    Json list = Json::array();
-    for (const auto& piece : pieces) {
-        if (list.size() == kPiecesListed) break;
-        const auto genus = piece.Genus();
-        list.push_back({{"triangles", piece.n_triangles},
-                        {"vertices", piece.n_vertices},
-                        {"edges", piece.n_edges},
-                        {"euler_characteristic", piece.EulerCharacteristic()},
-                        {"genus", genus ? Json(*genus) : Json(nullptr)},
-                        {"manifold", piece.IsManifold()},
-                        {"closed", piece.IsClosed()},
-                        {"border_loops", piece.n_border_loops},
-                        {"flipped_edges", piece.n_flipped_edges}});
-    }
-    return {{"count", pieces.size()}, {"components", list}};
-}
-
-/// Pieces of the solids' boundary and of what is surface only.
-void AddSurfaces(const Vtr::Level& level, Json& json) {
-    std::vector<Index> boundary, surface;
-    for (Index b = 0; b < level.n_boundary_faces; ++b) {
-        auto& triangles = level.face_tags[level.boundary_faces[b]].n_cells() == 0 ? surface : boundary;
-        const auto v = level.BoundaryVertices(b);
-        triangles.insert(triangles.end(), v.begin(), v.end());
-    }
-    if (!boundary.empty()) json["boundary"] = Pieces(boundary, level.n_vertices);
-    if (!surface.empty()) json["surface"] = Pieces(surface, level.n_vertices);
-}
-
-/// {"value": how many, ...}
-Json HistogramJson(const Geometry::Histogram& histogram) {
-    Json json = Json::object();
-    for (std::size_t k = 0; k < histogram.size(); ++k) {
-        if (histogram[k] > 0) json[std::to_string(k)] = histogram[k];
-    }
-    return json;
-}
-
-void AddRegularity(const Vtr::Level& level, Json& json) {
-    const Geometry::ValenceHistograms h = Geometry::MeasureValences(level);
-    json["valence"] = {{"edges_at_vertices", HistogramJson(h.vertex_edges)},
-                       {"adjacent_inside_solids", HistogramJson(h.solid_adjacent)},
-                       {"edges_on_surfaces", HistogramJson(h.surface_edges)}};
-    json["links"] = HistogramJson(h.links);
-}
-
-void AddMatching(const Io::Mesh& mesh, Json& json) {
-    const auto topology = mesh.topology.View();
-    const auto first = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::First);
-    const auto matched = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::Matched);
-    Json& faces = json["matched_faces"];
-    faces = {{"inner_faces", first.n_inner_faces},
-             {"as_ordered", first.MatchedShare()},
-             {"matched", matched.MatchedShare()}};
-    const auto given = FindDiagonalData(mesh);
-    if (!given) return;
-    faces["given"] = Far::ChooseDiagonals(topology, Far::DiagonalPolicy::Given, {}, *given).MatchedShare();
 }
 
 Json Attributes(const std::vector<Io::Attribute>& attributes) {
@@ -244,14 +179,7 @@ Json DescribeMesh(const Io::Mesh& mesh) {
         json["analysis"] = "boundary and valences are not found while there are fatal defects";
         return json;
     }
-    if (!IsTetOct(topology)) {
-        json["analysis"] = "boundary and valences are found for tetrahedra, octahedra, triangles and edges only";
-        return json;
-    }
-    const auto refiner = Far::TopologyRefiner::Create(topology.View(), Sdc::Split::TetOct);
-    AddSurfaces(refiner.level(0), json);
-    AddRegularity(refiner.level(0), json);
-    if (topology.n_cells() > 0) AddMatching(mesh, json);
+    AddTopology(mesh, json);
     json["analysis"] = "complete";
     return json;
 }

@@ -11,8 +11,8 @@ namespace SolidSubdiv::Cli {
 
 using Json = nlohmann::ordered_json;
 
-/// Measures a mesh of any kind; analysis that is for tets, octs, triangles and edges only is left out of others, and
-/// `analysis` says why. Defects are listed, however bad; nothing is thrown for them.
+/// Measures a mesh of any kind. Defects are listed, however bad; nothing is thrown for them, but what can't be found
+/// with fatal ones is left out, and `analysis` says so.
 Json DescribeMesh(const Io::Mesh& mesh);
 
 /// Defects by code: how many, and the first of them with their texts. `at_most` of each code are counted and `listed`

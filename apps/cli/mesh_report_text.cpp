@@ -91,7 +91,7 @@ class ReportWriter {
     }
 
     static std::string PieceText(const Json& piece) {
-        std::string text = Counted(piece["triangles"].get<long long>(), "triangle", "triangles") + ", " +
+        std::string text = Counted(piece["faces"].get<long long>(), "face", "faces") + ", " +
                            Counted(piece["vertices"].get<long long>(), "vertex", "vertices") + ", " +
                            "Euler characteristic " + piece["euler_characteristic"].dump();
         if (!piece["manifold"].get<bool>()) return text + ", not manifold";
@@ -100,23 +100,36 @@ class ReportWriter {
                     : ", " + Counted(piece["border_loops"].get<long long>(), "border", "borders");
         if (!piece["genus"].is_null()) return text + ", genus " + piece["genus"].dump();
         return text + ", " + Counted(piece["flipped_edges"].get<long long>(), "edge", "edges") +
-               " between triangles that face against each other";
+               " between faces that look against each other";
     }
 
-    void WriteHistogram(const std::string& name, const Json& histogram, const std::string& regular) {
+    void WriteHistogram(const std::string& name, const Json& histogram, const std::string& what) {
         if (histogram.empty()) return;
         std::string text;
         for (const auto& [value, count] : histogram.items()) text += value + ": " + count.dump() + "  ";
-        Line(name, text + "(" + regular + ")");
+        Line(name, text + "(" + what + ")");
+    }
+
+    /// What a histogram counts, and the values that are regular: "; regular: 4 and 6".
+    std::string WithRegular(std::string what, const char* key) const {
+        std::string separator = "; regular: ";
+        for (const Json& value : json_["regular"][key]) {
+            what += separator + value.dump();
+            separator = " and ";
+        }
+        return what;
     }
 
     void WriteRegularity() {
         if (!json_.contains("valence")) return;
         const Json& valence = json_["valence"];
+        const char *const inside = "adjacent_inside_solids", *const on_surfaces = "edges_on_surfaces";
         WriteHistogram("valence", valence["edges_at_vertices"], "edges at a vertex");
-        WriteHistogram("  inside", valence["adjacent_inside_solids"], "adjacent vertices; regular: 14");
-        WriteHistogram("  on surfaces", valence["edges_on_surfaces"], "edges of the surface; regular: 6");
-        WriteHistogram("links", json_["links"], "tets around an inner edge; regular: 4 and 6");
+        WriteHistogram("  inside", valence[inside], WithRegular("adjacent vertices", inside));
+        WriteHistogram("  on surfaces", valence[on_surfaces], WithRegular("edges of the surface", on_surfaces));
+        // Octahedra count as the tets that they are cut into.
+        const char* const cells = json_.contains("matched_faces") ? "tets" : "cells";
+        WriteHistogram("links", json_["links"], WithRegular(std::string(cells) + " around an inner edge", "links"));
         if (!json_.contains("matched_faces")) return;
         const Json& faces = json_["matched_faces"];
         std::string text = Percent(faces["as_ordered"]) + " of " +
@@ -135,11 +148,12 @@ class ReportWriter {
         }
     }
 
-    void WriteElements(const std::string& name, const Json& elements, const std::string& kind) {
+    void WriteElements(const std::string& name, const Json& elements, const std::string& one, const std::string& many) {
         const auto n = elements["count"].get<long long>();
         if (n == 0) return;
-        std::string text = std::to_string(n) + " " + kind + ":";
-        for (std::size_t i = 0; i < elements["first"].size() && i < 5; ++i) text += " " + elements["first"][i].dump();
+        std::string text = Counted(n, one, many) + ":";
+        for (std::size_t i = 0; i < elements["first"].size() && i < 5; ++i)
+            text += " " + ElementText(elements["first"][i]);
         Defect(name, text + (n > 5 ? " ..." : ""));
     }
 
@@ -148,15 +162,25 @@ class ReportWriter {
         has_defects_ = true;
     }
 
+    /// Edges as 4-7.
+    static std::string ElementText(const Json& element) {
+        return element.is_array() ? element[0].dump() + "-" + element[1].dump() : element.dump();
+    }
+
     void WriteDefects() {
-        for (const char* kind : {"tetrahedra", "octahedra"}) {
-            if (json_.contains("inverted")) WriteElements("inverted", json_["inverted"][kind], kind);
-            if (json_.contains("zero_volume")) WriteElements("no volume", json_["zero_volume"][kind], kind);
+        for (const auto& [one, many] : {std::pair("tetrahedron", "tetrahedra"), std::pair("octahedron", "octahedra")}) {
+            if (json_.contains("inverted")) WriteElements("inverted", json_["inverted"][many], one, many);
+            if (json_.contains("zero_volume")) WriteElements("no volume", json_["zero_volume"][many], one, many);
         }
-        WriteElements("at the place of another", json_["coincident_vertices"], "vertices");
+        WriteElements("at the place of another", json_["coincident_vertices"], "vertex", "vertices");
         if (json_.contains("other_cells")) {
             WriteOthers("inverted");
             WriteOthers("zero_volume");
+        }
+        if (json_.contains("cells_meeting_only_in")) {
+            const Json& places = json_["cells_meeting_only_in"];
+            WriteElements("cells meet only in", places["edges"], "edge", "edges");
+            WriteElements("cells meet only in", places["vertices"], "vertex", "vertices");
         }
         if (json_.contains("defects")) {
             for (const Json& code : json_["defects"]) WriteCode(code);

@@ -13,19 +13,20 @@ namespace {
 
 using Sdc::DisjointSets;
 
-/// A side of a triangle: the edge from corner `from` to corner `to` (places in the array of triangles).
+/// A side of a face: the edge from corner `from` to corner `to` (places in the array of corners).
 struct Side {
     Index low, high;  // the edge's vertices
     std::size_t from, to;
 };
 
-std::vector<Side> SortedSides(std::span<const Index> triangles) {
+std::vector<Side> SortedSides(std::span<const Offset> offsets, std::span<const Index> corners) {
     std::vector<Side> sides;
-    sides.reserve(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t from = t + k, to = t + (k + 1) % 3;
-            const auto [low, high] = std::minmax({triangles[from], triangles[to]});
+    sides.reserve(corners.size());
+    for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
+        const auto first = static_cast<std::size_t>(offsets[f]), end = static_cast<std::size_t>(offsets[f + 1]);
+        for (std::size_t from = first; from < end; ++from) {
+            const std::size_t to = from + 1 < end ? from + 1 : first;
+            const auto [low, high] = std::minmax({corners[from], corners[to]});
             sides.push_back({low, high, from, to});
         }
     }
@@ -42,15 +43,16 @@ std::optional<Offset> SurfaceComponent::Genus() const {
     return (2 - EulerCharacteristic() - n_border_loops) / 2;
 }
 
-std::vector<SurfaceComponent> SurfaceComponents(std::span<const Index> triangles, Index n_vertices) {
-    const std::vector<Side> sides = SortedSides(triangles);
+std::vector<SurfaceComponent> SurfaceComponents(std::span<const Offset> offsets, std::span<const Index> corners,
+                                                Index n_vertices) {
+    const std::vector<Side> sides = SortedSides(offsets, corners);
     DisjointSets pieces(static_cast<std::size_t>(n_vertices));
     for (const Side& side : sides) pieces.Unite(side.low, side.high);
 
     // Pieces in the order of their lowest vertex.
     std::vector<std::size_t> piece_of(static_cast<std::size_t>(n_vertices), 0);
     std::vector<char> is_used(static_cast<std::size_t>(n_vertices), 0);
-    for (Index v : triangles) is_used[v] = 1;
+    for (Index v : corners) is_used[v] = 1;
     std::vector<SurfaceComponent> components;
     for (std::size_t v = 0; v < piece_of.size(); ++v) {
         if (!is_used[v]) continue;
@@ -62,10 +64,10 @@ std::vector<SurfaceComponent> SurfaceComponents(std::span<const Index> triangles
         piece_of[v] = piece_of[root];
         ++components[piece_of[v]].n_vertices;
     }
-    for (std::size_t t = 0; t < triangles.size(); t += 3) ++components[piece_of[triangles[t]]].n_triangles;
+    for (std::size_t f = 0; f + 1 < offsets.size(); ++f) ++components[piece_of[corners[offsets[f]]]].n_faces;
 
-    // Edges; corners at a vertex that an edge of two triangles joins lie in one fan.
-    DisjointSets corners(triangles.size());
+    // Edges; corners at a vertex that an edge of two faces joins lie in one fan.
+    DisjointSets fans(corners.size());
     DisjointSets loops(static_cast<std::size_t>(n_vertices));
     std::vector<Index> border_vertices;
     for (std::size_t i = 0, next; i < sides.size(); i = next) {
@@ -83,21 +85,21 @@ std::vector<SurfaceComponent> SurfaceComponents(std::span<const Index> triangles
         } else if (next - i > 2) {
             ++component.n_non_manifold_edges;
         } else {
-            const bool agree = triangles[a.from] == triangles[b.to];
+            const bool agree = corners[a.from] == corners[b.to];
             if (!agree) ++component.n_flipped_edges;
-            corners.Unite(a.from, agree ? b.to : b.from);
-            corners.Unite(a.to, agree ? b.from : b.to);
+            fans.Unite(a.from, agree ? b.to : b.from);
+            fans.Unite(a.to, agree ? b.from : b.to);
         }
     }
 
     // A vertex is manifold if its corners are one fan.
-    std::vector<std::size_t> fan(static_cast<std::size_t>(n_vertices), triangles.size());
+    std::vector<std::size_t> fan(static_cast<std::size_t>(n_vertices), corners.size());
     std::vector<char> is_bad(static_cast<std::size_t>(n_vertices), 0);
-    for (std::size_t c = 0; c < triangles.size(); ++c) {
-        std::size_t& known = fan[triangles[c]];
-        const std::size_t found = corners.Find(c);
-        if (known == triangles.size()) known = found;
-        if (known != found) is_bad[triangles[c]] = 1;
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        std::size_t& known = fan[corners[c]];
+        const std::size_t found = fans.Find(c);
+        if (known == corners.size()) known = found;
+        if (known != found) is_bad[corners[c]] = 1;
     }
     for (std::size_t v = 0; v < is_bad.size(); ++v) {
         if (is_bad[v]) ++components[piece_of[v]].n_non_manifold_vertices;
@@ -110,10 +112,15 @@ std::vector<SurfaceComponent> SurfaceComponents(std::span<const Index> triangles
         if (component.IsManifold() && loops.Find(v) == static_cast<std::size_t>(v)) ++component.n_border_loops;
     }
 
-    std::stable_sort(components.begin(), components.end(), [](const SurfaceComponent& a, const SurfaceComponent& b) {
-        return a.n_triangles > b.n_triangles;
-    });
+    std::stable_sort(components.begin(), components.end(),
+                     [](const SurfaceComponent& a, const SurfaceComponent& b) { return a.n_faces > b.n_faces; });
     return components;
+}
+
+std::vector<SurfaceComponent> SurfaceComponents(std::span<const Index> triangles, Index n_vertices) {
+    std::vector<Offset> offsets(triangles.size() / 3 + 1);
+    for (std::size_t t = 0; t < offsets.size(); ++t) offsets[t] = static_cast<Offset>(3 * t);
+    return SurfaceComponents(offsets, triangles, n_vertices);
 }
 
 }  // namespace SolidSubdiv::Geometry

@@ -27,7 +27,7 @@ TEST(SurfaceComponents, SphereHasCharacteristicTwoAndNoHandle) {
     ASSERT_EQ(pieces.size(), 1u);
     EXPECT_EQ(pieces[0].n_vertices, 4);
     EXPECT_EQ(pieces[0].n_edges, 6);
-    EXPECT_EQ(pieces[0].n_triangles, 4);
+    EXPECT_EQ(pieces[0].n_faces, 4);
     EXPECT_EQ(pieces[0].EulerCharacteristic(), 2);
     EXPECT_TRUE(pieces[0].IsManifold());
     EXPECT_TRUE(pieces[0].IsClosed());
@@ -65,10 +65,10 @@ TEST(SurfaceComponents, LargestPieceComesFirstAndUnusedVerticesDoNotCount) {
     triangles.insert(triangles.end(), torus.begin(), torus.end());
     const auto pieces = SurfaceComponents(triangles, 30);
     ASSERT_EQ(pieces.size(), 2u);
-    EXPECT_EQ(pieces[0].n_triangles, 18);
+    EXPECT_EQ(pieces[0].n_faces, 18);
     EXPECT_EQ(pieces[0].n_vertices, 9);
     EXPECT_EQ(pieces[0].Genus(), 1);
-    EXPECT_EQ(pieces[1].n_triangles, 4);
+    EXPECT_EQ(pieces[1].n_faces, 4);
     EXPECT_EQ(pieces[1].n_vertices, 4);
 }
 
@@ -101,7 +101,34 @@ TEST(SurfaceComponents, ATurnedTriangleFlipsItsEdgesAndIsNoFanOfItsOwn) {
     EXPECT_FALSE(pieces[0].Genus().has_value());
 }
 
-TEST(SurfaceComponents, NothingHasNoPieces) { EXPECT_TRUE(SurfaceComponents({}, 3).empty()); }
+TEST(SurfaceComponents, PolygonsAreFacesOfAnySize) {
+    // A prism over a pentagon; then without its lid.
+    std::vector<Offset> offsets{0, 5, 10};
+    std::vector<Index> corners{4, 3, 2, 1, 0, 5, 6, 7, 8, 9};
+    for (Index i = 0; i < 5; ++i) {
+        const Index next = (i + 1) % 5;
+        corners.insert(corners.end(), {i, next, next + 5, i + 5});
+        offsets.push_back(static_cast<Offset>(corners.size()));
+    }
+    const auto prism = SurfaceComponents(offsets, corners, 10);
+    ASSERT_EQ(prism.size(), 1u);
+    EXPECT_EQ(prism[0].n_faces, 7);
+    EXPECT_EQ(prism[0].n_edges, 15);
+    EXPECT_EQ(prism[0].EulerCharacteristic(), 2);
+    EXPECT_EQ(prism[0].Genus(), 0);
+    EXPECT_TRUE(prism[0].IsClosed());
+
+    offsets.erase(offsets.begin() + 1);
+    for (Offset& offset : offsets) offset = std::max<Offset>(0, offset - 5);
+    corners.erase(corners.begin(), corners.begin() + 5);
+    const auto open = SurfaceComponents(offsets, corners, 10);
+    ASSERT_EQ(open.size(), 1u);
+    EXPECT_EQ(open[0].n_border_edges, 5);
+    EXPECT_EQ(open[0].EulerCharacteristic(), 1);
+    EXPECT_EQ(open[0].n_border_loops, 1);
+}
+
+TEST(SurfaceComponents, NothingHasNoPieces) { EXPECT_TRUE(SurfaceComponents(std::vector<Index>{}, 3).empty()); }
 
 }  // namespace
 }  // namespace SolidSubdiv::Geometry

@@ -23,7 +23,10 @@ namespace Palette {
 inline constexpr Color kSkin = Color::Hex(0xb9c6d2);         ///< a solid's boundary
 inline constexpr Color kTetrahedron = Color::Hex(0xf3bd7c);  ///< cells by kind
 inline constexpr Color kOctahedron = Color::Hex(0x5b8fc7);
-inline constexpr Color kOtherCell = Color::Hex(0x8fbf8a);
+inline constexpr Color kHexahedron = Color::Hex(0x8fbf8a);
+inline constexpr Color kWedge = Color::Hex(0xb59bd0);
+inline constexpr Color kPyramid = Color::Hex(0xe08f86);
+inline constexpr Color kPolyhedron = Color::Hex(0xe3d266);
 inline constexpr Color kLattice = Color::Hex(0x9c3b2e);  ///< control lattices
 inline constexpr Color kInk = Color::Hex(0x2b3440);      ///< lines and text
 }  // namespace Palette

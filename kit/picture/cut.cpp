@@ -10,16 +10,29 @@
 namespace SolidSubdiv::Picture {
 namespace {
 
-using Internal::CellShape;
-
+/// A face of a cell: n corners from `first` on.
 struct Face {
-    std::array<Index, 4> key;       // ascending; the first is kNoIndex in triangles
-    std::array<Index, 4> vertices;  // in order; the last is kNoIndex in triangles
+    std::size_t first, n;
     CellKind kind;
     bool kept;
-
-    std::size_t LowestVertex() const { return static_cast<std::size_t>(key[0] == kNoIndex ? key[1] : key[0]); }
 };
+
+/// All faces of all cells.
+struct CellSides {
+    std::vector<Face> faces;
+    std::vector<Index> corners;  // in order, from each face's lowest on
+    std::vector<Index> keys;     // the same, ascending
+
+    std::span<const Index> Corners(const Face& face) const { return std::span(corners).subspan(face.first, face.n); }
+    std::span<const Index> Key(const Face& face) const { return std::span(keys).subspan(face.first, face.n); }
+};
+
+bool IsSame(std::span<const Index> a, std::span<const Index> b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+bool IsBefore(std::span<const Index> a, std::span<const Index> b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+}
 
 void AppendEdges(std::span<const Index> vertices, std::vector<std::array<Index, 2>>& edges) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -28,71 +41,73 @@ void AppendEdges(std::span<const Index> vertices, std::vector<std::array<Index, 
     }
 }
 
-/// Faces of all cells. A cell is kept if its centroid c has dot(normal, c - point) <= 0: always if the normal is zero.
-std::vector<Face> FacesOfCells(const Io::Mesh& mesh, const Plane& plane) {
-    std::vector<Face> faces;
-    Internal::ForEachCell(mesh.topology, [&](const CellShape& shape, std::span<const Index> cell) {
+/// A cell is kept if its centroid c has dot(normal, c - point) <= 0: always if the normal is zero.
+CellSides SidesOfCells(const Io::Mesh& mesh, const Plane& plane) {
+    CellSides sides;
+    Internal::ForEachCell(mesh.topology, [&](const Internal::CellFaces& cell) {
         double side = 0;
-        for (Index v : cell) {
+        for (Index v : cell.vertices()) {
             for (std::size_t k = 0; k < 3; ++k) {
                 side += plane.normal[k] * (mesh.positions[3 * static_cast<std::size_t>(v) + k] - plane.point[k]);
             }
         }
-        for (const Internal::LocalFace& local : shape.faces) {
-            Face face{{}, {}, shape.kind, side <= 0};
-            for (std::size_t i = 0; i < 4; ++i) {
-                face.vertices[i] = local[i] < 0 ? kNoIndex : cell[static_cast<std::size_t>(local[i])];
-            }
-            // From the lowest vertex, so that both cells cut a quad into the same triangles.
-            const auto last = face.vertices.begin() + (face.vertices[3] == kNoIndex ? 3 : 4);
-            std::rotate(face.vertices.begin(), std::min_element(face.vertices.begin(), last), last);
-            face.key = face.vertices;
-            std::sort(face.key.begin(), face.key.end());
-            faces.push_back(face);
+        for (std::size_t i = 0; i < cell.n_faces(); ++i) {
+            const auto face = cell.face(i);
+            const std::size_t first = sides.corners.size();
+            sides.faces.push_back({first, face.size(), cell.kind(), side <= 0});
+            sides.corners.insert(sides.corners.end(), face.begin(), face.end());
+            sides.keys.insert(sides.keys.end(), face.begin(), face.end());
+            // From the lowest vertex, so that both cells cut a face into the same triangles.
+            const auto begin = sides.corners.begin() + static_cast<std::ptrdiff_t>(first);
+            std::rotate(begin, std::min_element(begin, sides.corners.end()), sides.corners.end());
+            std::sort(sides.keys.begin() + static_cast<std::ptrdiff_t>(first), sides.keys.end());
         }
     });
-    return faces;
+    return sides;
 }
 
 /// Orders faces by key: first into one bucket a lowest vertex, then within the small buckets.
-std::vector<Face> BringTogether(const std::vector<Face>& faces, Index n_vertices) {
+void BringTogether(CellSides& sides, Index n_vertices) {
     std::vector<Offset> start(static_cast<std::size_t>(n_vertices) + 1, 0);
-    for (const Face& face : faces) ++start[face.LowestVertex()];
+    const auto lowest = [&](const Face& face) { return static_cast<std::size_t>(sides.keys[face.first]); };
+    for (const Face& face : sides.faces) ++start[lowest(face)];
     Sdc::ScanLengths(start);
     std::vector<Offset> next(start.begin(), start.end() - 1);
-    std::vector<Face> ordered(faces.size());
-    for (const Face& face : faces) ordered[static_cast<std::size_t>(next[face.LowestVertex()]++)] = face;
+    std::vector<Face> ordered(sides.faces.size());
+    for (const Face& face : sides.faces) ordered[static_cast<std::size_t>(next[lowest(face)]++)] = face;
     Sdc::ParallelFor(n_vertices, 1024, [&](Offset begin, Offset end) {
         for (Offset v = begin; v < end; ++v) {
             std::sort(ordered.begin() + start[static_cast<std::size_t>(v)],
-                      ordered.begin() + start[static_cast<std::size_t>(v) + 1], [](const Face& a, const Face& b) {
-                          return a.key != b.key ? a.key < b.key : a.vertices < b.vertices;
+                      ordered.begin() + start[static_cast<std::size_t>(v) + 1], [&](const Face& a, const Face& b) {
+                          if (!IsSame(sides.Key(a), sides.Key(b))) return IsBefore(sides.Key(a), sides.Key(b));
+                          return IsBefore(sides.Corners(a), sides.Corners(b));
                       });
         }
     });
-    return ordered;
+    sides.faces = std::move(ordered);
 }
 
 SolidFaces Visible(const Io::Mesh& mesh, const Plane& plane) {
-    Internal::RefusePolyhedra(mesh.topology);
-    const std::vector<Face> faces = BringTogether(FacesOfCells(mesh, plane), mesh.topology.n_vertices);
+    CellSides sides = SidesOfCells(mesh, plane);
+    BringTogether(sides, mesh.topology.n_vertices);
+    const std::vector<Face>& faces = sides.faces;
     SolidFaces out;
     std::vector<std::array<Index, 2>> edges;
     for (std::size_t i = 0; i < faces.size();) {
         std::size_t end = i, n_kept = 0, kept = i;
-        for (; end < faces.size() && faces[end].key == faces[i].key; ++end) {
+        for (; end < faces.size() && IsSame(sides.Key(faces[end]), sides.Key(faces[i])); ++end) {
             if (faces[end].kept) ++n_kept, kept = end;
         }
         if (n_kept == 1) {
             const Face& face = faces[kept];
+            const auto corners = sides.Corners(face);
             const bool opened = end - i > 1;
-            const std::size_t n = face.vertices[3] == kNoIndex ? 3 : 4;
-            for (std::size_t t = 2; t < n; ++t) {
-                out.triangles.insert(out.triangles.end(), {face.vertices[0], face.vertices[t - 1], face.vertices[t]});
+            for (std::size_t t = 2; t < corners.size(); ++t) {
+                out.triangles.insert(out.triangles.end(), {corners[0], corners[t - 1], corners[t]});
                 out.kinds.push_back(face.kind);
                 out.opened.push_back(opened ? 1 : 0);
             }
-            if (opened) AppendEdges(std::span(face.vertices).first(n), edges);
+            if (opened) AppendEdges(corners, edges);
         }
         i = end;
     }
@@ -108,9 +123,16 @@ Color ColorOf(CellKind kind) {
             return Palette::kTetrahedron;
         case CellKind::Oct:
             return Palette::kOctahedron;
-        default:
-            return Palette::kOtherCell;
+        case CellKind::Hex:
+            return Palette::kHexahedron;
+        case CellKind::Wedge:
+            return Palette::kWedge;
+        case CellKind::Pyramid:
+            return Palette::kPyramid;
+        case CellKind::Polyhedron:
+            return Palette::kPolyhedron;
     }
+    return Palette::kSkin;
 }
 
 std::vector<Color> SolidFaces::ColorsByKind() const {
@@ -136,15 +158,8 @@ SolidFaces CutSolid(const Io::Mesh& mesh, const Plane& plane) {
 
 std::vector<Index> ElementEdges(const Io::Topology& topology) {
     std::vector<std::array<Index, 2>> edges;
-    Internal::ForEachCell(topology, [&](const CellShape& shape, std::span<const Index> cell) {
-        for (const Internal::LocalFace& local : shape.faces) {
-            std::array<Index, 4> face{};
-            std::size_t n = 0;
-            for (int i : local) {
-                if (i >= 0) face[n++] = cell[static_cast<std::size_t>(i)];
-            }
-            AppendEdges(std::span(face).first(n), edges);
-        }
+    Internal::ForEachCell(topology, [&](const Internal::CellFaces& cell) {
+        for (std::size_t i = 0; i < cell.n_faces(); ++i) AppendEdges(cell.face(i), edges);
     });
     const auto add_faces = [&](std::span<const Index> faces, std::size_t n) {
         for (std::size_t f = 0; f + n <= faces.size(); f += n) AppendEdges(faces.subspan(f, n), edges);

@@ -16,7 +16,7 @@
 
 namespace SolidSubdiv::Picture {
 
-enum class CellKind : unsigned char { Tet, Oct, Hex, Wedge, Pyramid };
+enum class CellKind : unsigned char { Tet, Oct, Hex, Wedge, Pyramid, Polyhedron };
 
 /// The colour of a kind of cell in the project's pictures.
 Color ColorOf(CellKind kind);
@@ -29,7 +29,7 @@ struct Plane {
 
 /// Visible faces of the cells that are left. Indices are the mesh's own; triangles are counterclockwise from outside.
 struct SolidFaces {
-    std::vector<Index> triangles;       ///< (n, 3); quads are two triangles
+    std::vector<Index> triangles;       ///< (n, 3); larger faces are fans of triangles
     std::vector<CellKind> kinds;        ///< (n): of the cell behind each triangle
     std::vector<unsigned char> opened;  ///< (n): 1 where the cut opened the solid, 0 on the solid's own boundary
     std::vector<Index> edges;           ///< (m, 2): sides of the faces where the cut opened the solid, each once
@@ -39,11 +39,11 @@ struct SolidFaces {
     std::vector<Color> ColorsByKind(Color skin) const;
 };
 
-/// The boundary of the whole solid. General polyhedra are refused.
-/// @pre indices are in range (io guarantees it). @throws InvalidInput. Cost: all faces pass once.
+/// The boundary of the whole solid. @pre indices are in range (io guarantees it). Cost: all faces pass once.
 SolidFaces SolidBoundary(const Io::Mesh& mesh);
 
 /// The boundary of the cells whose centroid the plane leaves: whole cells, a rough cut that shows their shapes.
+/// @throws InvalidInput for a plane without direction
 SolidFaces CutSolid(const Io::Mesh& mesh, const Plane& plane);
 
 /// The edges of a mesh's elements of every kind, each once, as pairs of vertices: what shows a control lattice.

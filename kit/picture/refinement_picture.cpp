@@ -19,11 +19,17 @@ std::vector<Index> VisibleTriangles(const Io::Mesh& mesh) {
     if (mesh.topology.n_cells() > 0) {
         triangles = SolidBoundary(mesh).triangles;
     } else {
-        triangles = mesh.topology.triangles;
-        const std::vector<Index>& quads = mesh.topology.quads;
-        for (std::size_t q = 0; q + 4 <= quads.size(); q += 4) {
-            triangles.insert(triangles.end(),
-                             {quads[q], quads[q + 1], quads[q + 2], quads[q], quads[q + 2], quads[q + 3]});
+        const Io::Topology& t = mesh.topology;
+        triangles = t.triangles;
+        const auto add = [&](std::span<const Index> face) {
+            for (std::size_t i = 2; i < face.size(); ++i) {
+                triangles.insert(triangles.end(), {face[0], face[i - 1], face[i]});
+            }
+        };
+        for (std::size_t q = 0; q + 4 <= t.quads.size(); q += 4) add(std::span(t.quads).subspan(q, 4));
+        for (Offset p = 0; p < t.n_polygons(); ++p) {
+            const Offset first = t.polygon_offsets[p], end = t.polygon_offsets[p + 1];
+            add(std::span(t.polygon_vertices).subspan(first, end - first));
         }
     }
     return triangles;
@@ -56,6 +62,8 @@ std::vector<Index> VisibleEdges(const Io::Mesh& mesh, const std::vector<Index>& 
     Io::Topology seen;
     seen.triangles = mesh.topology.triangles;
     seen.quads = mesh.topology.quads;
+    seen.polygon_offsets = mesh.topology.polygon_offsets;
+    seen.polygon_vertices = mesh.topology.polygon_vertices;
     seen.edges = mesh.topology.edges;
     return ElementEdges(seen);
 }
@@ -109,8 +117,7 @@ Plane CutPlane(const Io::Mesh& mesh, const View& view) {
     return plane;
 }
 
-Scene CellsScene(const Io::Mesh& mesh, const Plane& plane, const RenderOptions& render) {
-    const SolidFaces cut = CutSolid(mesh, plane);
+Scene CellsScene(const Io::Mesh& mesh, const SolidFaces& cut, const RenderOptions& render) {
     const std::vector<Color> colors = cut.ColorsByKind(Palette::kSkin);
     Scene scene;
     scene.Add(Surface{.positions = mesh.positions,
@@ -164,6 +171,25 @@ Scene SliceScene(const Io::Mesh& mesh, const Plane& plane, const Io::Attribute* 
 
 constexpr int kStripes = 20;
 
+/// What the colours of a cut tell apart, if anything: ": tets and octahedra".
+std::string KindsCaption(const SolidFaces& cut) {
+    constexpr std::pair<CellKind, const char*> kinds[] = {
+        {CellKind::Tet, "tets"},     {CellKind::Oct, "octahedra"},    {CellKind::Hex, "hexahedra"},
+        {CellKind::Wedge, "wedges"}, {CellKind::Pyramid, "pyramids"}, {CellKind::Polyhedron, "polyhedra"}};
+    std::vector<std::string> names;
+    for (const auto& kind : kinds) {
+        bool is_seen = false;
+        for (std::size_t t = 0; t < cut.kinds.size(); ++t) {
+            is_seen = is_seen || (cut.opened[t] != 0 && cut.kinds[t] == kind.first);
+        }
+        if (is_seen) names.push_back(kind.second);
+    }
+    if (names.size() < 2) return "";
+    std::string text = ": " + names[0];
+    for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 < names.size() ? ", " : " and ") + names[i];
+    return text;
+}
+
 std::string LevelName(std::size_t level) { return "level " + std::to_string(level); }
 
 }  // namespace
@@ -186,9 +212,9 @@ Image RefinementPicture(std::span<const Io::Mesh* const> levels, const Refinemen
     if (levels[last]->topology.n_cells() > 0) {
         const Plane plane = CutPlane(*levels[0], options.view);
         const std::size_t middle = std::min<std::size_t>(2, last);
-        scenes.push_back(CellsScene(*levels[middle], plane, options.render));
-        captions.push_back(LevelName(middle) +
-                           (levels[middle]->topology.n_octs() > 0 ? ", cut: tets and octahedra" : ", cut"));
+        const SolidFaces cut = CutSolid(*levels[middle], plane);
+        scenes.push_back(CellsScene(*levels[middle], cut, options.render));
+        captions.push_back(LevelName(middle) + ", cut" + KindsCaption(cut));
         const Io::Attribute* attribute = ChooseAttribute(*levels[last], options.attribute);
         std::pair<double, double> range{0, 0};
         if (attribute != nullptr) {

@@ -20,7 +20,7 @@ struct RefinementPictureOptions {
 };
 
 /// `levels`: the control mesh and its refinements, coarsest first, all with the same point data. For solids four
-/// panels: lattice and shape, level 1, level 2 (or the last) cut open with tets and octahedra told apart, the last
+/// panels: lattice and shape, level 1, level 2 (or the last) cut open with the kinds of cells told apart, the last
 /// level sliced with the attribute inside. For surfaces the first two, the last level (from 2 on) smooth, and the same
 /// with reflection lines, which break where it has no tangent plane.
 /// @throws InvalidInput if there is no level, nothing to show, or no such attribute

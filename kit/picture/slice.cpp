@@ -32,10 +32,10 @@ class Slicer {
     SolidSlice Run() {
         const SolidFaces boundary = SolidBoundary(mesh_);
         for (std::size_t t = 0; t < boundary.triangles.size(); t += 3) ClipSkin(&boundary.triangles[t]);
-        Internal::ForEachCell(mesh_.topology, [&](const Internal::CellShape& shape, std::span<const Index> cell) {
-            const auto is_above = [&](Index v) { return Above(v); };
-            const auto n_above = std::count_if(cell.begin(), cell.end(), is_above);
-            if (n_above > 0 && static_cast<std::size_t>(n_above) < cell.size()) CutCell(shape, cell);
+        Internal::ForEachCell(mesh_.topology, [&](const Internal::CellFaces& cell) {
+            const auto vertices = cell.vertices();
+            const auto n_above = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return Above(v); });
+            if (n_above > 0 && static_cast<std::size_t>(n_above) < vertices.size()) CutCell(cell);
         });
         out_.cap_edges = Internal::UniqueEdges(std::move(edges_));
         return std::move(out_);
@@ -83,23 +83,20 @@ class Slicer {
 
     static bool HasArea(const std::array<Index, 3>& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
 
-    void CutCell(const Internal::CellShape& shape, std::span<const Index> cell) {
-        if (shape.kind == CellKind::Tet) {
-            CutTet({cell[0], cell[1], cell[2], cell[3]}, shape.kind);
-        }
-        // Other cells are tets from the centre to the triangles of the faces; a quad's diagonal starts at its lowest
-        // vertex, so that both its cells take the same one.
-        const Index centre = shape.kind == CellKind::Tet ? kNoIndex : AddCentre(cell);
-        for (const Internal::LocalFace& local : shape.faces) {
-            std::vector<Index> face;
-            for (int i : local) {
-                if (i >= 0) face.push_back(cell[static_cast<std::size_t>(i)]);
-            }
+    void CutCell(const Internal::CellFaces& cell) {
+        const bool is_tet = cell.kind() == CellKind::Tet;
+        const auto v = cell.vertices();
+        if (is_tet) CutTet({v[0], v[1], v[2], v[3]}, cell.kind());
+        // Other cells are tets from the centre to the triangles of the faces; a face's diagonals start at its lowest
+        // vertex, so that both its cells take the same ones.
+        const Index centre = is_tet ? kNoIndex : AddCentre(v);
+        for (std::size_t f = 0; f < cell.n_faces(); ++f) {
+            std::vector<Index> face(cell.face(f).begin(), cell.face(f).end());
             std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
             for (std::size_t i = 2; i < face.size(); ++i) {
                 const std::array<Index, 3> triangle{face[0], face[i - 1], face[i]};
                 AddOutline(triangle);
-                if (centre != kNoIndex) CutTet({triangle[0], triangle[1], triangle[2], centre}, shape.kind);
+                if (!is_tet) CutTet({triangle[0], triangle[1], triangle[2], centre}, cell.kind());
             }
         }
     }
@@ -175,7 +172,6 @@ std::vector<Color> SolidSlice::CapColorsByKind() const {
 }
 
 SolidSlice SliceSolid(const Io::Mesh& mesh, const Plane& plane, std::span<const double> values) {
-    Internal::RefusePolyhedra(mesh.topology);
     Internal::CheckPlane(plane);
     if (!values.empty() && values.size() != static_cast<std::size_t>(mesh.topology.n_vertices)) {
         throw InvalidInput("picture: " + std::to_string(values.size()) + " values for " +

@@ -26,8 +26,7 @@ struct SolidSlice {
 };
 
 /// `values`: one number a vertex, or none. Vertices on the plane itself stay.
-/// @pre indices are in range. @throws InvalidInput if the mesh has general polyhedra, for a plane without direction, or
-/// where values do not fit
+/// @pre indices are in range. @throws InvalidInput for a plane without direction, or where values do not fit
 SolidSlice SliceSolid(const Io::Mesh& mesh, const Plane& plane, std::span<const double> values = {});
 
 }  // namespace SolidSubdiv::Picture

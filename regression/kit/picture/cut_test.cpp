@@ -7,6 +7,8 @@
 #include <solidsubdiv/sdc/errors.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -88,10 +90,11 @@ TEST(CutSolidTest, ColoursTellKindsApart) {
     const SolidFaces all = SolidBoundary(mesh);
     const std::vector<Color> colors = all.ColorsByKind();
     for (std::size_t t = 0; t < colors.size(); ++t) {
-        const Color expected = all.kinds[t] == CellKind::Tet   ? Palette::kTetrahedron
-                               : all.kinds[t] == CellKind::Oct ? Palette::kOctahedron
-                                                               : Palette::kOtherCell;
-        EXPECT_EQ(colors[t], expected);
+        const std::map<CellKind, Color> expected{
+            {CellKind::Tet, Palette::kTetrahedron}, {CellKind::Oct, Palette::kOctahedron},
+            {CellKind::Hex, Palette::kHexahedron},  {CellKind::Wedge, Palette::kWedge},
+            {CellKind::Pyramid, Palette::kPyramid}, {CellKind::Polyhedron, Palette::kPolyhedron}};
+        EXPECT_EQ(colors[t], expected.at(all.kinds[t]));
         EXPECT_EQ(all.ColorsByKind({1, 0, 0})[t], (Color{1, 0, 0}));  // nothing is opened
     }
     // Take the octahedron's neighbour away: the face between them opens and is the octahedron's.
@@ -102,12 +105,53 @@ TEST(CutSolidTest, ColoursTellKindsApart) {
     EXPECT_EQ(cut.ColorsByKind({1, 0, 0})[t], Palette::kOctahedron);
 }
 
-TEST(CutSolidTest, PlanesWithoutADirectionAndPolyhedraAreRefused) {
-    Io::Mesh mesh = OneOfEach();
+TEST(CutSolidTest, PolyhedraAreCutAsTheCellsThatTheyCouldBe) {
+    const Io::Mesh mesh = OneOfEach(), polyhedra = AsPolyhedra(mesh);
+    EXPECT_EQ(ElementEdges(polyhedra.topology), ElementEdges(mesh.topology));
+    for (double x : {0.45, 0.6, 1.1, 6.4, 9.0}) {
+        const Plane plane{{x, 0, 0}, {1, 0.1, 0.05}};
+        const SolidFaces expected = CutSolid(mesh, plane), cut = CutSolid(polyhedra, plane);
+        EXPECT_EQ(cut.triangles, expected.triangles) << x;
+        EXPECT_EQ(cut.opened, expected.opened) << x;
+        EXPECT_EQ(cut.edges, expected.edges) << x;
+        for (CellKind kind : cut.kinds) EXPECT_EQ(kind, CellKind::Polyhedron);
+    }
+}
+
+TEST(CutSolidTest, FacesOfManyCornersClose) {
+    // A prism over a hexagon of side 1, and a copy on top of it.
+    Io::Mesh mesh;
+    Io::Topology& t = mesh.topology;
+    for (int layer = 0; layer < 3; ++layer) {
+        for (int i = 0; i < 6; ++i) {
+            const double angle = i * std::acos(-1.0) / 3;
+            mesh.positions.insert(mesh.positions.end(), {std::cos(angle), std::sin(angle), 1.0 * layer});
+        }
+    }
+    t.n_vertices = 18;
+    t.polyhedron_offsets = t.polyhedron_face_offsets = {0};
+    for (Index low : {0, 6}) {
+        const auto add = [&](const std::vector<Index>& face) {
+            for (Index v : face) t.polyhedron_vertices.push_back(low + v);
+            t.polyhedron_face_offsets.push_back(static_cast<Offset>(t.polyhedron_vertices.size()));
+        };
+        add({5, 4, 3, 2, 1, 0});
+        add({8, 9, 10, 11, 6, 7});
+        for (Index i = 0; i < 6; ++i) add({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
+        t.polyhedron_offsets.push_back(static_cast<Offset>(t.polyhedron_face_offsets.size()) - 1);
+    }
+    const double six_areas = 6 * 1.5 * std::sqrt(3.0);
+    EXPECT_NEAR(SixVolumes(mesh.positions, SolidBoundary(mesh).triangles), 2 * six_areas, 1e-12);
+    const SolidFaces below = CutSolid(mesh, {{0, 0, 1}, {0, 0, 1}});
+    EXPECT_NEAR(SixVolumes(mesh.positions, below.triangles), six_areas, 1e-12);
+    EXPECT_EQ(std::count(below.opened.begin(), below.opened.end(), 1), 4) << "the hexagon between them";
+    EXPECT_EQ(below.edges.size(), 2u * 6);
+}
+
+TEST(CutSolidTest, PlanesWithoutADirectionAreRefused) {
+    const Io::Mesh mesh = OneOfEach();
     EXPECT_THROW(CutSolid(mesh, {{0, 0, 0}, {0, 0, 0}}), InvalidInput);
     EXPECT_THROW(CutSolid(mesh, {{0, 0, 0}, {0, NAN, 0}}), InvalidInput);
-    mesh.topology.polyhedron_offsets = {0, 4};
-    EXPECT_THROW(SolidBoundary(mesh), InvalidInput);
 }
 
 TEST(ElementEdgesTest, EveryEdgeOfEveryElementOnce) {

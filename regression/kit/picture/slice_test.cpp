@@ -49,7 +49,7 @@ TEST(SliceSolidTest, ABlockIsCutToItsExactVolumeAndArea) {
 TEST(SliceSolidTest, BothSidesTogetherAreTheWholeForEveryKindOfCell) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> x(-1, 1);
-    for (const Io::Mesh& mesh : {TetBlock(3), OneOfEach()}) {
+    for (const Io::Mesh& mesh : {TetBlock(3), OneOfEach(), AsPolyhedra(OneOfEach())}) {
         const double whole = SixVolumes(mesh.positions, SolidBoundary(mesh).triangles);
         int cut = 0;
         for (int trial = 0; trial < 20; ++trial) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <solidsubdiv/kit/io/mesh.h>
+#include <solidsubdiv/sdc/cells.h>
 
 namespace SolidSubdiv::Picture {
 
@@ -30,6 +31,32 @@ inline Io::Mesh OneOfEach() {
     mesh.topology.octs = {11, 12, 13, 14, 16, 15};
     mesh.topology.tets = {12, 13, 16, 17};
     return mesh;
+}
+
+/// The same cells, each given as a polyhedron.
+inline Io::Mesh AsPolyhedra(const Io::Mesh& mesh) {
+    Io::Mesh result;
+    result.positions = mesh.positions;
+    Io::Topology& to = result.topology;
+    to.n_vertices = mesh.topology.n_vertices;
+    to.polyhedron_offsets = to.polyhedron_face_offsets = {0};
+    const auto add = [&]<class Cell>(Cell, const std::vector<Index>& cells) {
+        for (std::size_t c = 0; c < cells.size(); c += Cell::kVertices) {
+            for (const auto& face : Cell::faces) {
+                for (Sdc::Local k : face) {
+                    if (k != Sdc::kNoLocal) to.polyhedron_vertices.push_back(cells[c + k]);
+                }
+                to.polyhedron_face_offsets.push_back(static_cast<Offset>(to.polyhedron_vertices.size()));
+            }
+            to.polyhedron_offsets.push_back(static_cast<Offset>(to.polyhedron_face_offsets.size()) - 1);
+        }
+    };
+    add(Sdc::Tet{}, mesh.topology.tets);
+    add(Sdc::Oct{}, mesh.topology.octs);
+    add(Sdc::Hex{}, mesh.topology.hexes);
+    add(Sdc::Wedge{}, mesh.topology.wedges);
+    add(Sdc::Pyramid{}, mesh.topology.pyramids);
+    return result;
 }
 
 /// Six times the volume inside triangles; nothing if they do not close.

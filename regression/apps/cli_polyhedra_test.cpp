@@ -131,5 +131,17 @@ TEST_F(CliPolyhedra, ASurfaceOfPolygonsFollowsCatmullClark) {
     for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(std::abs(fine.positions[i]), 5.0 / 9, 1e-15);
 }
 
+TEST_F(CliPolyhedra, PicturesShowCellsOfEveryKindAndPolygons) {
+    if (MustRun("refine --help").out.find("--picture") == std::string::npos) {
+        GTEST_SKIP() << "built without pictures (no Embree or libpng)";
+    }
+    WriteText("roof.obj", "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 2 1\nv -1 1 0\nv 1 -1 1\nf 1 2 3 4 5\nf 2 1 6\n");
+    for (const char* arguments : {"mixed.vtu -o a.vtu --levels 1", "roof.obj -o a.obj --levels 1"}) {
+        const auto json = Json("refine " + std::string(arguments) + " --picture picture.png");
+        EXPECT_EQ(json["outputs"][1]["what"], "picture") << arguments;
+        EXPECT_GT(fs::file_size(folder / "picture.png"), 50000u) << arguments << ": an empty picture is much smaller";
+    }
+}
+
 }  // namespace
 }  // namespace SolidSubdiv::CliTesting

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "catmull_clark_pictures.h"
+
 #include <solidsubdiv/far/choose_diagonals.h>
 #include <solidsubdiv/far/primvar_refiner.h>
 #include <solidsubdiv/kit/io/formats.h>
@@ -186,6 +188,8 @@ int main(int n_arguments, char** arguments) {
     }
     try {
         const std::filesystem::path out = arguments[2];
+        WritePng(out / "catmull_clark_solid.png", CatmullClarkSolid());
+        WritePng(out / "catmull_clark_features.png", CatmullClarkFeatures());
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));
     } catch (const std::exception& error) {

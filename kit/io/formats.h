@@ -14,10 +14,11 @@
 //     .node .ele    tets; every attribute, their names in a comment that TetGen skips; `marker` as boundary marker
 //     .ply          faces and edges; every attribute
 //     .obj          faces, edges, single vertices; the point attribute `color`; the `sharpness` of edges and single
-//                   vertices and the scheme options as OpenSubdiv's tags
+//                   vertices, the `hole` of faces and the scheme options as OpenSubdiv's tags
 //     .stl          triangles
 //
-// Creases and corners are edges and single vertices with cell data `sharpness` (creases.h).
+// Creases and corners are edges and single vertices with cell data `sharpness` (creases.h), holes faces with cell data
+// `hole` (holes.h).
 #pragma once
 
 #include <filesystem>

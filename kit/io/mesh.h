@@ -81,7 +81,7 @@ struct Mesh {
     std::vector<Attribute> point_data;  ///< rows = vertices; refined like positions
     /// Rows = elements, in the order of Topology's arrays: tets, octs, hexes, wedges, pyramids, polyhedra, triangles,
     /// quads, polygons, edges, vertices (elements of one kind keep the file's order). `sharpness` makes edges and
-    /// vertices creases and corners, see creases.h.
+    /// vertices creases and corners, see creases.h, `hole` faces holes, see holes.h.
     std::vector<Attribute> cell_data;
 
     /// Options of the scheme that the file asks for, as (name, value), a name at most once: ("boundary", "none",

@@ -42,6 +42,7 @@ class ObjReader {
         } else if (keyword == "f" || keyword == "fo") {
             ReadVertices(line);
             if (vertices_.size() < 3) line.FailHere("a face needs at least three vertices; remove it");
+            tags_.NoteFace();
             builder_.NextRow();
             builder_.AddElement(ElementKind::Polygon, vertices_);
         } else if (keyword == "l") {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes Wavefront OBJ (.obj): vertices, faces, lines, points; creases, corners and the scheme's options as
-// OpenSubdiv's tags.
+// Writes Wavefront OBJ (.obj): vertices, faces, lines, points; creases, corners, holes and the scheme's options
+// as OpenSubdiv's tags.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <solidsubdiv/kit/io/creases.h>
+#include <solidsubdiv/kit/io/holes.h>
 #include <solidsubdiv/kit/io/internal/files.h>
 #include <solidsubdiv/kit/io/internal/obj_tags.h>
 #include <solidsubdiv/kit/io/internal/writers.h>
@@ -55,12 +56,14 @@ void WriteElement(OutputFile& file, ElementKind kind, std::span<const Index> ver
 
 bool ObjCarries(const Mesh& mesh, const Attribute& attribute) {
     if (&attribute == ColorsOf(mesh)) return true;
-    if (&attribute != FindSharpness(mesh)) return false;
+    const bool is_hole = &attribute == FindHoles(mesh);
+    if (!is_hole && &attribute != FindSharpness(mesh)) return false;
     std::size_t row = 0;
     bool carried = true;
     ForEachElement(mesh.topology, [&](ElementKind kind, Offset) {
-        const double sharpness = attribute.values[row++];
-        carried = carried && (sharpness == 0 || (sharpness > 0 && CanBeSharp(kind)));
+        const double value = attribute.values[row++];
+        const bool has_tag = is_hole ? !CanBeSharp(kind) : value > 0 && CanBeSharp(kind);
+        carried = carried && (value == 0 || has_tag);
     });
     return carried;
 }
@@ -84,6 +87,10 @@ void WriteObj(const std::filesystem::path& path, const Mesh& mesh, const WriteOp
         WriteElement(file, kind, ElementVertices(mesh.topology, kind, element), sharpness ? sharpness->values[row] : 0);
         ++row;
     });
+    // Faces come first among the elements: their rows are their numbers.
+    if (FindHoles(mesh)) {
+        for (const Offset face : HolesOf(mesh)) file << "t hole 1/0/0 " << face << '\n';
+    }
     for (const auto& [option, value] : mesh.scheme_options) file << TagOf(option, value);
     file.Commit();
 }

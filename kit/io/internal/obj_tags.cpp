@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
+
+#include <solidsubdiv/kit/io/holes.h>
 
 namespace SolidSubdiv::Io::Internal {
 
 namespace {
 
-/// Tags that OpenSubdiv knows and that change nothing here: holes, corners' data, edits of single levels.
-constexpr std::array<std::string_view, 7> kUnusedTags = {"hole",
-                                                         "facevaryinginterpolateboundary",
+/// Tags that OpenSubdiv knows and that change nothing here: corners' data, edits of single levels.
+constexpr std::array<std::string_view, 6> kUnusedTags = {"facevaryinginterpolateboundary",
                                                          "facevaryingpropagatecorners",
                                                          "smoothtriangles",
                                                          "vertexedit",
@@ -21,6 +23,21 @@ constexpr std::array<std::string_view, 7> kUnusedTags = {"hole",
                                                          "faceedit"};
 
 }  // namespace
+
+void ObjTags::NoteFace() {
+    const std::int64_t row = builder_.n_rows();
+    if (face_runs_.empty() || row - n_faces_ != face_runs_.back().first_row - face_runs_.back().first_face) {
+        face_runs_.push_back({n_faces_, row});
+    }
+    ++n_faces_;
+}
+
+std::int64_t ObjTags::RowOfFace(std::int64_t face) const {
+    const auto after = std::upper_bound(face_runs_.begin(), face_runs_.end(), face,
+                                        [](std::int64_t f, const FaceRun& run) { return f < run.first_face; });
+    const FaceRun& run = *std::prev(after);
+    return run.first_row + (face - run.first_face);
+}
 
 void ObjTags::AddElement(std::span<const std::int64_t> vertices) {
     if (merging_) {
@@ -47,6 +64,7 @@ void ObjTags::ReadTag(TextCursor& line) {
     if (line.AtComment()) line.FailExpected("the name of a tag");
     if (name == "crease") return ReadSharp(line, 2, "pairs of vertices and one sharpness, or one for each");
     if (name == "corner") return ReadSharp(line, 1, "vertices and one sharpness, or one for each");
+    if (name == "hole") return ReadHoles(line);
     if (name == "interpolateboundary") return ReadBoundary(line);
     if (name == "creasemethod") return ReadCreasing(line);
     CountUnused(name);
@@ -124,6 +142,20 @@ void ObjTags::ReadSharp(TextCursor& line, std::size_t n_vertices, const char* ne
     }
 }
 
+void ObjTags::ReadHoles(TextCursor& line) {
+    const Tag tag = ReadHead(line);
+    if (tag.counts[0] == 0 || tag.counts[1] != 0 || tag.counts[2] != 0) FailCounts(line, tag, "faces");
+    for (std::int64_t i = 0; i < tag.counts[0]; ++i) {
+        const std::int64_t face = line.Integer("a face of tag 'hole'");
+        if (face < 0) line.FailHere("face " + std::to_string(face) + " of tag 'hole': its faces are counted from 0");
+        holes_.push_back(face);
+        if (face <= largest_hole_) continue;
+        largest_hole_ = face;
+        hole_line_ = line;
+    }
+    RequireEnd(line, tag);
+}
+
 void ObjTags::ReadBoundary(TextCursor& line) {
     const Tag tag = ReadHead(line);
     if (tag.counts != std::array<std::int64_t, 3>{1, 0, 0}) FailCounts(line, tag, "one integer");
@@ -185,6 +217,16 @@ void ObjTags::Finish() {
         largest_line_->FailHere("a tag names vertex " + std::to_string(largest_vertex_) + ", but there " +
                                 (builder_.n_vertices() == 1 ? "is " : "are ") +
                                 Counted(builder_.n_vertices(), "vertex", "vertices") + ", counted from 0 in tags");
+    }
+    if (largest_hole_ >= n_faces_) {
+        hole_line_->FailHere("a tag names face " + std::to_string(largest_hole_) + ", but there " +
+                             (n_faces_ == 1 ? "is " : "are ") + Counted(n_faces_, "face", "faces") +
+                             ", counted from 0 in tags");
+    }
+    if (!holes_.empty()) {
+        std::vector<double> is_hole(static_cast<std::size_t>(builder_.n_rows()), 0.0);
+        for (const std::int64_t face : holes_) is_hole[static_cast<std::size_t>(RowOfFace(face))] = 1;
+        builder_.AddCellData({std::string(kHole), 1, std::move(is_hole)});
     }
     if (!sharpness_.empty()) {
         sharpness_.resize(static_cast<std::size_t>(builder_.n_rows()), 0.0);

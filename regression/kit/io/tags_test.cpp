@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <solidsubdiv/kit/io/creases.h>
+#include <solidsubdiv/kit/io/holes.h>
 #include <solidsubdiv/kit/io/internal/readers.h>
 #include <solidsubdiv/kit/io/internal/text.h>
 
@@ -89,6 +90,19 @@ TEST(ObjTags, ElementInOnePlaceIsOneElementWithTheLargestSharpness) {
     EXPECT_THAT(SharpnessOf(loop), ElementsAre(0, 0, 2));
 }
 
+TEST(ObjTags, HolesAreFacesCountedInTheFilesOrder) {
+    // Faces of every size, lines and points between them: the mesh orders them by kind.
+    const std::string text =
+        "t hole 1/0/0 0\n" + kSquare + "v 2 0 0\nl 1 2\nf 1 2 5\nf 1 2 3 4 5\np 3\nf 2 3 5\nf 3 4 5\nf 5 4 3 2\n";
+    const auto holes_of = [&](const std::string& tags) { return HolesOf(Parse(text + tags)); };
+    EXPECT_THAT(holes_of(""), ElementsAre(3)) << "behind three triangles";
+    EXPECT_THAT(holes_of("t hole 1/0/0 1\n"), ElementsAre(0, 3));
+    EXPECT_THAT(holes_of("t hole 2/0/0 2 3\n"), ElementsAre(1, 3, 5));
+    EXPECT_THAT(holes_of("t hole 2/0/0 4 5\nt hole 1/0/0 4\n"), ElementsAre(2, 3, 4));
+    EXPECT_THAT(HolesOf(SquareWith("")), IsEmpty());
+    EXPECT_EQ(SquareWith("").FindCellData("hole"), nullptr);
+}
+
 TEST(ObjTags, SettingsBecomeSchemeOptionsAndTheLastOneCounts) {
     const std::pair<const char*, const char*> boundaries[] = {
         {"0", "none"}, {"1", "edge-and-corner"}, {"2", "edge-only"}};
@@ -104,16 +118,16 @@ TEST(ObjTags, SettingsBecomeSchemeOptionsAndTheLastOneCounts) {
 
 TEST(ObjTags, WhatHasNoMeaningHereIsNoted) {
     const Mesh mesh = SquareWith(
-        "t hole 1/0/0 0\nt vertexedit 4/3/3 3 0 1 0 0 0 1 add P value\nt hole 1/0/0 0\n"
+        "t smoothtriangles 0/0/1 smooth\nt vertexedit 4/3/3 3 0 1 0 0 0 1 add P value\n"
         "t facevaryinginterpolateboundary 1/0/0 1\nt facevaryingpropagatecorners 1/0/0 1\nt smoothtriangles 0/0/1 "
         "smooth\n"
         "t edgeedit 4/1/3 3 0 1 0 2 set P sharpness\nt faceedit 4/0/1 3 4 1 1 hole\nt other 1\nt more\n");
-    EXPECT_THAT(mesh.notes, ElementsAre("2 OpenSubdiv tags 'hole' not used", "1 OpenSubdiv tag 'vertexedit' not used",
-                                        "1 OpenSubdiv tag 'facevaryinginterpolateboundary' not used",
-                                        "1 OpenSubdiv tag 'facevaryingpropagatecorners' not used",
-                                        "1 OpenSubdiv tag 'smoothtriangles' not used",
-                                        "1 OpenSubdiv tag 'edgeedit' not used", "1 OpenSubdiv tag 'faceedit' not used",
-                                        "2 unknown tags ('t' lines) skipped, the first is 'other'"));
+    EXPECT_THAT(mesh.notes,
+                ElementsAre("2 OpenSubdiv tags 'smoothtriangles' not used", "1 OpenSubdiv tag 'vertexedit' not used",
+                            "1 OpenSubdiv tag 'facevaryinginterpolateboundary' not used",
+                            "1 OpenSubdiv tag 'facevaryingpropagatecorners' not used",
+                            "1 OpenSubdiv tag 'edgeedit' not used", "1 OpenSubdiv tag 'faceedit' not used",
+                            "2 unknown tags ('t' lines) skipped, the first is 'other'"));
     EXPECT_EQ(mesh.topology.n_elements(), 1);
 }
 
@@ -123,7 +137,8 @@ TEST(ObjTags, CorpusFileWithEveryTagIsRead) {
     EXPECT_THAT(mesh.topology.vertices, ElementsAre(3, 4));
     EXPECT_THAT(SharpnessOf(mesh), ElementsAre(0, 0, 0, 1, 10, 3, 0.5, 10, 10, 1.5, 10));
     EXPECT_THAT(mesh.scheme_options, ElementsAre(Pair("boundary", "edge-only"), Pair("creasing", "chaikin")));
-    EXPECT_EQ(mesh.notes.size(), 9u);
+    EXPECT_EQ(mesh.notes.size(), 8u);
+    EXPECT_THAT(HolesOf(mesh), ElementsAre(1));
 }
 
 struct BadTag {
@@ -176,6 +191,14 @@ const std::vector<BadTag> kBadTags = {
      "sharpness inf of tag 'corner': it must be 0 (no crease) or greater, 10 for infinitely sharp"},
     {"t corner 1/1/0 0 1e999",
      "sharpness 1e999 of tag 'corner': it must be 0 (no crease) or greater, 10 for infinitely sharp"},
+    {"t hole 0/0/0", "tag 'hole' needs faces; it has 0 integers, 0 numbers and 0 words"},
+    {"t hole 1/1/0 0 1", "tag 'hole' needs faces; it has 1 integer, 1 number and 0 words"},
+    {"t hole 1/0/0", "expected a face of tag 'hole', found the end; is it complete?"},
+    {"t hole 1/0/0 -1", "face -1 of tag 'hole': its faces are counted from 0"},
+    {"t hole 1/0/0 1", "a tag names face 1, but there is 1 face, counted from 0 in tags"},
+    {"t hole 2/0/0 0 9000000000000000000",
+     "a tag names face 9000000000000000000, but there is 1 face, counted from 0 in tags"},
+    {"t hole 1/0/0 0 0", "tag 'hole' has more values than it announces, from '0' on"},
     {"t interpolateboundary 0/0/0",
      "tag 'interpolateboundary' needs one integer; it has 0 integers, 0 numbers and 0 words"},
     {"t interpolateboundary 1/0/0 3", "tag 'interpolateboundary' must be 0, 1 or 2; it is 3"},
@@ -247,6 +270,33 @@ TEST(ObjTags, SharpnessOfFacesIsSaidToBeLeftOut) {
     EXPECT_THAT(AttributesLeftOut("a.obj", mesh), ElementsAre("sharpness"));
 }
 
+TEST(ObjTags, HolesComeBackFromFilesThatCarryThem) {
+    TemporaryFolder folder;
+    const Mesh mesh = SquareWith("v 2 0 0\nf 1 2 5\nt hole 1/0/0 0\nt corner 1/1/0 3 10\n");
+    EXPECT_THAT(HolesOf(mesh), ElementsAre(1));
+    for (const char* name : {"a.obj", "a.vtu", "a.vtk", "a.msh"}) {
+        EXPECT_THAT(AttributesLeftOut(name, mesh), IsEmpty()) << name;
+        WriteMesh(folder / name, mesh);
+        EXPECT_THAT(HolesOf(ReadMesh(folder / name)), ElementsAre(1)) << name;
+    }
+    EXPECT_THAT(Load(folder / "a.obj"), testing::HasSubstr("\nt hole 1/0/0 1\n"));
+    ExpectSameMesh(ReadMesh(folder / "a.obj"), mesh);
+}
+
+TEST(ObjTags, HolesThatAreNoFacesAreSaidToBeLeftOut) {
+    Mesh mesh = SquareWith("l 1 2\nt hole 1/0/0 0\n");
+    EXPECT_THAT(AttributesLeftOut("a.obj", mesh), IsEmpty());
+    mesh.cell_data[0].values = {1, 1};
+    EXPECT_THAT(AttributesLeftOut("a.obj", mesh), ElementsAre("hole"));
+    EXPECT_THAT(HolesOf(mesh), ElementsAre(0));
+    mesh.cell_data[0] = {"hole", 2, {0, 0, 0, 0}};
+    EXPECT_THAT(AttributesLeftOut("a.obj", mesh), ElementsAre("hole"));
+    EXPECT_THROW(HolesOf(mesh), InvalidInput);
+    TemporaryFolder folder;
+    WriteMesh(folder / "a.obj", mesh);
+    EXPECT_THAT(HolesOf(ReadMesh(folder / "a.obj")), IsEmpty());
+}
+
 // ---- OpenSubdiv's catalogue ----
 
 /// Sorted vertices (one or two) -> sharpness: of the tags as they stand, with streams instead of our reader.
@@ -307,7 +357,7 @@ TEST(ObjCatalogue, EveryShapeIsReadWithItsTagsAndComesBack) {
     if (!std::filesystem::is_directory(shapes)) GTEST_SKIP() << "OpenSubdiv's shapes: there is no " << shapes;
 
     TemporaryFolder folder;
-    std::size_t n_shapes = 0, n_parts = 0;
+    std::size_t n_shapes = 0, n_parts = 0, n_holes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(shapes)) {
         if (entry.path().extension() != ".obj") continue;
         SCOPED_TRACE(entry.path().filename());
@@ -319,17 +369,20 @@ TEST(ObjCatalogue, EveryShapeIsReadWithItsTagsAndComesBack) {
         EXPECT_EQ(mesh.scheme_options.size(),
                   (n_of_tag["interpolateboundary"] > 0 ? 1u : 0u) + (n_of_tag["creasemethod"] > 0 ? 1u : 0u));
         for (const std::string& note : mesh.notes) EXPECT_EQ(note.find("unknown"), note.npos) << note;
-        for (const char* name : {"hole", "vertexedit", "edgeedit", "faceedit", "smoothtriangles"}) {
+        for (const char* name : {"vertexedit", "edgeedit", "faceedit", "smoothtriangles"}) {
             const auto says = [&](const std::string& note) { return note.find(Internal::Quoted(name)) != note.npos; };
             EXPECT_EQ(std::any_of(mesh.notes.begin(), mesh.notes.end(), says), n_of_tag[name] > 0) << name;
         }
+        EXPECT_EQ(!HolesOf(mesh).empty(), n_of_tag["hole"] > 0);
         WriteMesh(folder / "a.obj", mesh);
         ExpectSameMesh(ReadMesh(folder / "a.obj"), mesh);
         ++n_shapes;
         n_parts += parts.size();
+        n_holes += HolesOf(mesh).size();
     }
     EXPECT_GT(n_shapes, 100u);
     EXPECT_GT(n_parts, 1000u);
+    EXPECT_EQ(n_holes, 1u + 1u + 4u + 8u);
 }
 
 }  // namespace

@@ -18,9 +18,15 @@ struct CompactSurface {
 /// @pre indices of the faces' corners are in [0, n_vertices). Cost: linear.
 CompactSurface MakeCompactSurface(std::span<const Index> corners, Index n_vertices);
 
-/// All boundary faces of a level: those of its solids, counterclockwise from outside, and its surface elements.
-CompactSurface ExtractBoundary(const Vtr::Level& level);
-CompactSurface ExtractBoundary(const Vtr::PolyhedralLevel& level);
+/// A surface with its faces told apart.
+struct BoundarySurface : CompactSurface {
+    Vtr::RowOffsets rows;  ///< of `corners`: a face's are one row
+};
+
+/// The boundary faces of a level, its solids' counterclockwise from outside and its surface elements, but for those
+/// that `is_left_out` marks. @pre that is empty or has one entry a boundary face
+BoundarySurface ExtractBoundary(const Vtr::Level& level, const std::vector<bool>& is_left_out = {});
+BoundarySurface ExtractBoundary(const Vtr::PolyhedralLevel& level, const std::vector<bool>& is_left_out = {});
 
 /// Rows of `width` numbers at chosen vertices: positions or data of a compact surface. @pre indices are in range
 std::vector<double> GatherRows(std::span<const double> rows, int width, std::span<const Index> vertices);

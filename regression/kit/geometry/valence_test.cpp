@@ -93,5 +93,28 @@ TEST(CompactSurface, BoundaryOfALevelKeepsItsTrianglesOverItsOwnVertices) {
     }
 }
 
+TEST(CompactSurface, BoundaryWithoutSomeOfItsFaces) {
+    // A pentagon and two triangles in a row, of which the first triangle is left out.
+    const std::vector<Offset> offsets{0, 5};
+    const std::vector<Index> pentagon{0, 1, 2, 3, 4}, triangles{1, 0, 5, 0, 6, 5};
+    const auto refiner = Far::TopologyRefiner::Create(
+        {.n_vertices = 7, .triangles = triangles, .polygon_offsets = offsets, .polygon_vertices = pentagon},
+        Sdc::Split::Polyhedral);
+    const Vtr::PolyhedralLevel& level = refiner.polyhedral_level(0);
+    std::vector<bool> is_left_out;
+    for (Index b = 0; b < level.n_boundary_faces; ++b) {
+        const auto v = level.BoundaryVertices(b);
+        is_left_out.push_back(std::count(v.begin(), v.end(), 1) > 0 && v.size() == 3);
+    }
+    const BoundarySurface surface = ExtractBoundary(level, is_left_out);
+    EXPECT_THAT(surface.vertices, ElementsAre(0, 1, 2, 3, 4, 5, 6)) << "both faces that stay have all of them";
+    ASSERT_EQ(surface.rows.offsets.size(), 3u);
+    EXPECT_EQ(surface.corners.size(), 5u + 3u);
+    EXPECT_EQ(surface.rows.Count(0) + surface.rows.Count(1), 8);
+    const BoundarySurface whole = ExtractBoundary(level);
+    EXPECT_EQ(whole.corners.size(), 5u + 3u + 3u);
+    EXPECT_EQ(whole.rows.offsets.size(), 4u);
+}
+
 }  // namespace
 }  // namespace SolidSubdiv::Geometry

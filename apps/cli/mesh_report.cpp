@@ -16,6 +16,7 @@
 #include <solidsubdiv/kit/geometry/coincident_vertices.h>
 #include <solidsubdiv/kit/geometry/orientation.h>
 #include <solidsubdiv/kit/io/creases.h>
+#include <solidsubdiv/kit/io/holes.h>
 #include <solidsubdiv/sdc/errors.h>
 
 namespace SolidSubdiv::Cli {
@@ -171,6 +172,7 @@ Json DescribeMesh(const Io::Mesh& mesh) {
 
     const Io::Creases creases = Io::CreasesOf(mesh);
     json["creases"] = {{"edges", creases.edge_sharpness.size()}, {"corners", creases.vertices.size()}};
+    json["holes"] = Io::HolesOf(mesh).size();
     Far::TopologyDescriptor descriptor = topology.View();
     creases.AddTo(descriptor);
     json["defects"] = DescribeDefects(descriptor, kDefectsCounted, kDefectsListed);

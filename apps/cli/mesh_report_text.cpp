@@ -40,6 +40,8 @@ class ReportWriter {
         WriteAttributes("point_data", "point data");
         WriteAttributes("cell_data", "cell data");
         WriteCreases();
+        const auto n_holes = json_["holes"].get<Offset>();
+        if (n_holes > 0) Line("holes", Counted(n_holes, "face", "faces"));
         WriteDefects();
         if (json_["analysis"] != "complete") Line("note", json_["analysis"].get<std::string>());
         return std::move(text_);
@@ -59,7 +61,6 @@ class ReportWriter {
     }
 
     void WriteCreases() {
-        if (!json_.contains("creases")) return;
         const auto edges = json_["creases"]["edges"].get<Offset>(), corners = json_["creases"]["corners"].get<Offset>();
         if (edges + corners == 0) return;
         Line("creases",

@@ -203,14 +203,13 @@ class RefineCommand {
     }
 
     void WriteStencils(const Refinement& refinement, const RefinementSettings& settings) {
-        session_.Note(options_.stencils + ": " +
-                      Counted(refinement.refiner().n_vertices(options_.levels), "row", "rows") + " over " +
-                      Counted(refinement.control().topology.n_vertices, "control vertex", "control vertices") +
-                      " are composed");
+        session_.Note(
+            options_.stencils + ": " + Counted(refinement.result().topology.n_vertices, "row", "rows") + " over " +
+            Counted(refinement.control().topology.n_vertices, "control vertex", "control vertices") + " are composed");
         session_.Stage("compose");
-        const auto table =
-            Far::StencilTable::CreateComposite(refinement.refiner(), settings.choice.scheme,
-                                               {{.level = options_.levels, .vertices = {}}}, session_.progress());
+        const auto table = Far::StencilTable::CreateComposite(
+            refinement.refiner(), settings.choice.scheme,
+            {{.level = options_.levels, .vertices = refinement.kept_vertices()}}, session_.progress());
         const auto& rows = table.level(1);
         session_.Note(options_.stencils + ": " + Counted(rows.n_weights(), "weight", "weights") + ", " +
                       Far::BytesText(rows.Bytes()) + " in memory, about " +
@@ -274,6 +273,12 @@ class RefineCommand {
             text += "creases: " + counted(given.edge_sharpness.size(), given.vertices.size()) + "; at level " +
                     std::to_string(options_.levels) + " " + counted(kept.edge_sharpness.size(), kept.vertices.size()) +
                     "\n";
+        }
+        if (refinement.n_faces_left_out() > 0) {
+            const Offset n_vertices = refiner.n_vertices(options_.levels) - refinement.result().topology.n_vertices;
+            json_["left_out"] = {{"faces", refinement.n_faces_left_out()}, {"vertices", n_vertices}};
+            text += "left out: what comes of " + Counted(refinement.n_faces_left_out(), "face", "faces") + " (" +
+                    Counted(n_vertices, "vertex", "vertices") + " of their own)\n";
         }
         json_["defects"] = DescribeDefects(refiner.defects(), 100, 100);
         const Far::DiagonalChoice& diagonals = refinement.diagonals();
@@ -367,7 +372,8 @@ Work AddRefine(CLI::App& command) {
         "Points come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
         "level by level. Point data are refined like positions; cells inherit the data of their control cells, and\n"
         "carry their diagonals as cell data 'diagonal'. Creases and corners are edges and single vertices with cell\n"
-        "data 'sharpness', or OpenSubdiv's t tags in OBJ files; what is still sharp is written with the result.\n\n" +
+        "data 'sharpness', or OpenSubdiv's t tags in OBJ files; what is still sharp is written with the result. Faces\n"
+        "with cell data 'hole' (t hole) are refined and left out, with the vertices that they have alone.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + WritableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv refine lattice.vtu -o solid.vtu --levels 2 --boundary solid.obj\n"

@@ -44,14 +44,4 @@ std::vector<Index> RefinedEdges::Origins(int level) const {
     return origins;
 }
 
-std::vector<bool> RefinedEdges::IsOnBorder(const Far::TopologyRefiner& refiner) {
-    const Vtr::EdgeGraph base = refiner.graph(0);
-    std::vector<bool> is_on_border(static_cast<std::size_t>(base.n_vertices), false);
-    for (Index e = 0; e < base.n_edges; ++e) {
-        if (base.edge_faces.Count(e) != 1) continue;
-        for (Index v : base.EdgeVertices(e)) is_on_border[v] = true;
-    }
-    return is_on_border;
-}
-
 }  // namespace SolidSubdiv::Cli

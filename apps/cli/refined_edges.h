@@ -21,9 +21,6 @@ class RefinedEdges {
     /// For each of them which of the control mesh's edges it comes from.
     std::vector<Index> Origins(int level) const;
 
-    /// Which vertices of level 0 are ends of edges with one face.
-    static std::vector<bool> IsOnBorder(const Far::TopologyRefiner& refiner);
-
   private:
     struct Part {
         Index element;  ///< among the control mesh's edges

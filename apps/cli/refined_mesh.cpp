@@ -26,20 +26,12 @@ void Repeat(std::vector<Offset>& rows, T row, Offset times) {
 
 }  // namespace
 
-RefinedElements::RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border)
+RefinedElements::RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner,
+                                 const FacesLeftOut& left_out)
     : control_(control), refiner_(refiner), edges_(control, refiner) {
     FindTriangles();
     n_tags_ = control.n_triangles() - static_cast<Offset>(triangles_.size()) + control.n_edges() - edges_.n_parts();
-    if (drop_border) DropBorder();
-}
-
-void RefinedElements::DropBorder() {
-    const Vtr::Level& level = refiner_.level(0);
-    const std::vector<bool> is_on_border = RefinedEdges::IsOnBorder(refiner_);
-    std::erase_if(triangles_, [&](Part part) {
-        const auto v = level.BoundaryVertices(part.place);
-        return std::any_of(v.begin(), v.end(), [&](Index i) { return is_on_border[i]; });
-    });
+    left_out_ = TakeLeftOut(triangles_, left_out, refiner);
 }
 
 void RefinedElements::FindTriangles() {
@@ -57,9 +49,9 @@ void RefinedElements::FindTriangles() {
         const Corners wanted = corners(t);
         while (b < level.n_boundary_faces && Ascending(level.BoundaryVertices(b)) < wanted) ++b;
         if (b == level.n_boundary_faces || Ascending(level.BoundaryVertices(b)) != wanted) continue;
-        if (level.face_tags[level.boundary_faces[b]].n_cells() == 0) triangles_.push_back({t, b});
+        if (level.face_tags[level.boundary_faces[b]].n_cells() == 0) triangles_.push_back({control_.n_cells() + t, b});
     }
-    std::sort(triangles_.begin(), triangles_.end(), [](Part p, Part q) { return p.element < q.element; });
+    std::sort(triangles_.begin(), triangles_.end(), [](FacePart p, FacePart q) { return p.row < q.row; });
 }
 
 Io::Topology RefinedElements::At(int level) const {
@@ -70,7 +62,7 @@ Io::Topology RefinedElements::At(int level) const {
     topology.octs.assign(from.oct_vertices.begin(), from.oct_vertices.end());
     const std::size_t n_children = std::size_t{1} << (2 * level);
     topology.triangles.reserve(3 * n_children * triangles_.size());
-    for (const Part& part : triangles_) {
+    for (const FacePart& part : triangles_) {
         const Index* first = from.boundary_vertices.data() + 3 * n_children * static_cast<std::size_t>(part.place);
         topology.triangles.insert(topology.triangles.end(), first, first + 3 * n_children);
     }
@@ -96,10 +88,19 @@ std::vector<Offset> RefinedElements::ControlRows(int level) const {
     }
     std::vector<Offset> rows = std::move(tets);
     rows.insert(rows.end(), octs.begin(), octs.end());
-    for (const Part& part : triangles_) Repeat(rows, control_.n_cells() + part.element, Offset{1} << (2 * level));
+    for (const FacePart& part : triangles_) Repeat(rows, part.row, Offset{1} << (2 * level));
     const Offset first_edge = control_.n_cells() + control_.n_triangles();
     for (Index edge : edges_.Origins(level)) rows.push_back(first_edge + edge);
     return rows;
+}
+
+std::vector<bool> RefinedElements::LeftOut(int level) const {
+    std::vector<bool> is_left_out;
+    if (left_out_.empty()) return is_left_out;
+    is_left_out.assign(static_cast<std::size_t>(refiner_.level(level).n_boundary_faces), false);
+    const std::ptrdiff_t n_children = std::ptrdiff_t{1} << (2 * level);
+    for (Index place : left_out_) std::fill_n(is_left_out.begin() + n_children * place, n_children, true);
+    return is_left_out;
 }
 
 Io::Attribute InheritedRows(const Io::Attribute& control, const std::vector<Offset>& control_rows) {

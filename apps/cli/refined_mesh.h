@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include <solidsubdiv/apps/cli/left_out.h>
 #include <solidsubdiv/apps/cli/refined_edges.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/io/mesh.h>
@@ -16,8 +17,8 @@ namespace SolidSubdiv::Cli {
 class RefinedElements {
   public:
     /// `control` is what the refiner was made from; both must outlive this.
-    /// @param drop_border leave out triangles that touch the border of an open surface
-    RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border = false);
+    RefinedElements(const Io::Topology& control, const Far::TopologyRefiner& refiner,
+                    const FacesLeftOut& left_out = {});
 
     /// Triangles and edges of the control mesh that lie on a part of higher dimension: tags, which have no children.
     Offset n_tags() const { return n_tags_; }
@@ -28,17 +29,18 @@ class RefinedElements {
     /// For each element of At(level), in its order, the control mesh's row of cell data.
     std::vector<Offset> ControlRows(int level) const;
 
+    /// Faces of the control mesh that are left out.
+    Offset n_left_out() const { return static_cast<Offset>(left_out_.size()); }
+    /// For each boundary face of a level whether it is left out; empty: none is.
+    std::vector<bool> LeftOut(int level) const;
+
   private:
-    struct Part {
-        Index element;  ///< among the control mesh's triangles
-        Index place;    ///< its boundary face in level 0
-    };
     void FindTriangles();
-    void DropBorder();
 
     const Io::Topology& control_;
     const Far::TopologyRefiner& refiner_;
-    std::vector<Part> triangles_;
+    std::vector<FacePart> triangles_;
+    std::vector<Index> left_out_;  // boundary faces of level 0
     RefinedEdges edges_;
     Offset n_tags_ = 0;
 };

@@ -32,17 +32,13 @@ std::vector<Index> Ascending(std::span<const Index> vertices) {
 
 }  // namespace
 
-RefinedPolyhedra::RefinedPolyhedra(const Io::Topology& control, const Far::TopologyRefiner& refiner, bool drop_border)
+RefinedPolyhedra::RefinedPolyhedra(const Io::Topology& control, const Far::TopologyRefiner& refiner,
+                                   const FacesLeftOut& left_out)
     : control_(control), refiner_(refiner), edges_(control, refiner) {
     FindFaces();
     n_tags_ = control.n_triangles() + control.n_quads() + control.n_polygons() - static_cast<Offset>(faces_.size()) +
               control.n_edges() - edges_.n_parts();
-    if (!drop_border) return;
-    const std::vector<bool> is_on_border = RefinedEdges::IsOnBorder(refiner);
-    std::erase_if(faces_, [&](Part part) {
-        const auto v = refiner.polyhedral_level(0).BoundaryVertices(part.place);
-        return std::any_of(v.begin(), v.end(), [&](Index i) { return is_on_border[i]; });
-    });
+    left_out_ = TakeLeftOut(faces_, left_out, refiner);
 }
 
 void RefinedPolyhedra::FindFaces() {
@@ -75,7 +71,7 @@ Io::Topology RefinedPolyhedra::At(int level) const {
         topology.polyhedron_face_offsets.assign(p.face_vertex_offsets.begin(), p.face_vertex_offsets.end());
         topology.polyhedron_vertices.assign(p.face_vertices.begin(), p.face_vertices.end());
     }
-    for (const Part& part : faces_) {
+    for (const FacePart& part : faces_) {
         const auto first = from.boundary_vertices.begin() + 4 * First(part.place, level);
         const auto last = from.boundary_vertices.begin() + 4 * First(part.place + 1, level);
         topology.quads.insert(topology.quads.end(), first, last);
@@ -107,7 +103,7 @@ std::vector<Offset> RefinedPolyhedra::ControlRows(int level) const {
     }
     std::vector<Offset> rows = std::move(hexes);
     rows.insert(rows.end(), others.begin(), others.end());
-    for (const Part& part : faces_) {
+    for (const FacePart& part : faces_) {
         rows.insert(rows.end(), static_cast<std::size_t>(First(part.place + 1, level) - First(part.place, level)),
                     part.row);
     }
@@ -116,9 +112,19 @@ std::vector<Offset> RefinedPolyhedra::ControlRows(int level) const {
     return rows;
 }
 
+std::vector<bool> RefinedPolyhedra::LeftOut(int level) const {
+    std::vector<bool> is_left_out;
+    if (left_out_.empty()) return is_left_out;
+    is_left_out.assign(static_cast<std::size_t>(refiner_.polyhedral_level(level).n_boundary_faces), false);
+    for (Index place : left_out_) {
+        std::fill(is_left_out.begin() + First(place, level), is_left_out.begin() + First(place + 1, level), true);
+    }
+    return is_left_out;
+}
+
 void AddPolygons(const Vtr::RowOffsets& rows, std::span<const Index> corners, Io::Topology& topology) {
     const Index n =
-        rows.is_fixed() ? static_cast<Index>(corners.size() / 4) : static_cast<Index>(rows.offsets.size()) - 1;
+        rows.is_fixed() ? static_cast<Index>(corners.size()) / rows.fixed : static_cast<Index>(rows.offsets.size()) - 1;
     for (Index b = 0; b < n; ++b) {
         const auto face = corners.subspan(rows.Start(b), rows.Count(b));
         if (face.size() > 4) {

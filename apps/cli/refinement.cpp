@@ -12,6 +12,7 @@
 #include <solidsubdiv/apps/cli/refined_polyhedra.h>
 #include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/kit/geometry/compact_surface.h>
+#include <solidsubdiv/kit/io/holes.h>
 #include <solidsubdiv/osd/evaluator.h>
 
 namespace SolidSubdiv::Cli {
@@ -28,11 +29,12 @@ Far::TopologyDescriptor Reordered(const Io::Topology& topology, const Far::Diago
     return descriptor;
 }
 
-/// Data of every element but the diagonals, which are made anew.
+/// Data of the elements of a finer level but the diagonals, which are made anew.
 template <class Rows>
 void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
     for (const Io::Attribute& attribute : from.cell_data) {
-        if (attribute.name != kDiagonalName) to.cell_data.push_back(rows(attribute));
+        const bool is_of_holes = attribute.name == Io::kHole && from.topology.n_cells() == 0;  // they are gone
+        if (attribute.name != kDiagonalName && !is_of_holes) to.cell_data.push_back(rows(attribute));
     }
 }
 
@@ -77,6 +79,23 @@ void RequireMemory(const Far::TopologyRefiner& refiner, const RefinementSettings
     }
 }
 
+/// Creases whose ends are kept, by their new numbers.
+Far::Creases Among(const Far::Creases& creases, const std::vector<Index>& numbers) {
+    Far::Creases kept;
+    for (std::size_t e = 0; e < creases.edge_sharpness.size(); ++e) {
+        const Index a = numbers[creases.edges[2 * e]], b = numbers[creases.edges[2 * e + 1]];
+        if (a == kNoIndex || b == kNoIndex) continue;
+        kept.edges.insert(kept.edges.end(), {a, b});
+        kept.edge_sharpness.push_back(creases.edge_sharpness[e]);
+    }
+    for (std::size_t i = 0; i < creases.vertices.size(); ++i) {
+        if (numbers[creases.vertices[i]] == kNoIndex) continue;
+        kept.vertices.push_back(numbers[creases.vertices[i]]);
+        kept.vertex_sharpness.push_back(creases.vertex_sharpness[i]);
+    }
+    return kept;
+}
+
 void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
     if (mesh.topology.n_cells() == 0) return;
     values.resize(static_cast<std::size_t>(mesh.topology.n_elements()), 0.0);
@@ -87,6 +106,7 @@ void AddDiagonals(Io::Mesh& mesh, std::vector<double> values) {
 
 Refinement::Refinement(Io::Mesh control, const RefinementSettings& settings, Session& session)
     : settings_(settings), session_(session), control_(std::move(control)) {
+    left_out_ = {settings_.drop_border, Io::HolesOf(control_)};
     session.Stage("orient");
     Orient();
     session.Stage("diagonals");
@@ -168,9 +188,9 @@ void Refinement::Evaluate() {
 template <class Body>
 void Refinement::WithElements(Body&& body) const {
     if (refiner_->is_polyhedral()) {
-        body(RefinedPolyhedra(control_.topology, *refiner_, settings_.drop_border));
+        body(RefinedPolyhedra(control_.topology, *refiner_, left_out_));
     } else {
-        body(RefinedElements(control_.topology, *refiner_, settings_.drop_border));
+        body(RefinedElements(control_.topology, *refiner_, left_out_));
     }
 }
 
@@ -212,16 +232,33 @@ void Refinement::GatherElements() {
             if (rows.empty()) rows = elements.ControlRows(settings_.levels);
             return InheritedRows(attribute, rows);
         });
+        is_left_out_ = elements.LeftOut(settings_.levels);
+        n_faces_left_out_ = elements.n_left_out();
     });
     if (!refiner_->is_polyhedral()) AddDiagonals(result_, {});
     for (const auto& option : control_.scheme_options) {
         if (option.second != "none") result_.scheme_options.push_back(option);  // the border that was dropped is gone
     }
     result_creases_ = Far::CreasesAt(*refiner_, settings_.choice.scheme, settings_.levels);
+    if (!is_left_out_.empty()) LeaveOut();
     const Far::Creases& kept = result_creases_;
     Io::SetCreases(result_, settings_.keep_creases
                                 ? Io::Creases{kept.edges, kept.edge_sharpness, kept.vertices, kept.vertex_sharpness}
                                 : Io::Creases{});
+}
+
+/// Vertices that only the faces left out have go too, and what was sharp there: of a sharp edge between two such faces
+/// every child has an end that goes.
+void Refinement::LeaveOut() {
+    if (result_.topology.n_elements() == 0) {
+        throw InvalidInput("all its faces are holes, or lie at a border that is dropped: nothing is left to write");
+    }
+    const int level = settings_.levels;
+    kept_vertices_ =
+        VerticesInUse(result_.topology, refiner_->is_polyhedral() ? refiner_->polyhedral_level(level).boundary_vertices
+                                                                  : refiner_->level(level).boundary_vertices);
+    result_creases_ = Among(result_creases_, NewNumbers(kept_vertices_, result_.topology.n_vertices));
+    KeepVertices(result_, kept_vertices_);
 }
 
 void Refinement::GatherControl() {
@@ -229,23 +266,26 @@ void Refinement::GatherControl() {
     // are cut for formats that don't hold them.
     result_.topology = control_.topology;
     result_.topology.octs = diagonals_.octs;
-    CopyCellData(control_, result_, [](const Io::Attribute& attribute) { return attribute; });
+    for (const Io::Attribute& attribute : control_.cell_data) {
+        if (attribute.name != kDiagonalName) result_.cell_data.push_back(attribute);
+    }
+    result_.scheme_options = control_.scheme_options;
     if (refiner_->is_polyhedral()) return;
     const auto first = diagonals_.diagonals.begin();
     AddDiagonals(result_, {first, first + control_.topology.n_tets()});
 }
 
 Io::Mesh Refinement::Boundary() const {
-    const bool is_polyhedral = refiner_->is_polyhedral();
-    const Geometry::CompactSurface surface =
-        is_polyhedral ? Geometry::ExtractBoundary(refiner_->polyhedral_level(settings_.levels))
-                      : Geometry::ExtractBoundary(refiner_->level(settings_.levels));
+    const int level = settings_.levels;
+    Geometry::BoundarySurface surface = refiner_->is_polyhedral()
+                                            ? Geometry::ExtractBoundary(refiner_->polyhedral_level(level), is_left_out_)
+                                            : Geometry::ExtractBoundary(refiner_->level(level), is_left_out_);
     Io::Mesh mesh;
     mesh.topology.n_vertices = static_cast<Index>(surface.vertices.size());
-    if (is_polyhedral) {
-        AddPolygons(refiner_->polyhedral_level(settings_.levels).boundary_rows, surface.corners, mesh.topology);
-    } else {
-        mesh.topology.triangles = surface.corners;
+    AddPolygons(surface.rows, surface.corners, mesh.topology);
+    if (!kept_vertices_.empty()) {  // the result has new numbers
+        const std::vector<Index> numbers = NewNumbers(kept_vertices_, refiner_->n_vertices(level));
+        for (Index& v : surface.vertices) v = numbers[v];
     }
     mesh.positions = Geometry::GatherRows(result_.positions, 3, surface.vertices);
     for (const Io::Attribute& a : result_.point_data) {

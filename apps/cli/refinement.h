@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/left_out.h>
 #include <solidsubdiv/apps/cli/scheme_options.h>
 #include <solidsubdiv/far/creases.h>
 #include <solidsubdiv/far/stencil_table.h>
@@ -43,6 +44,11 @@ class Refinement {
     const Far::Creases& result_creases() const { return result_creases_; }  ///< what is still sharp
     Offset n_without_limit() const { return n_without_limit_; }
 
+    /// Faces of the control mesh whose children the result lacks: holes, and those at a border that is dropped.
+    Offset n_faces_left_out() const { return n_faces_left_out_; }
+    /// Vertices of the last level that the result has, ascending; empty: all of them.
+    const std::vector<Index>& kept_vertices() const { return kept_vertices_; }
+
     /// Elements, positions and data of the last level.
     const Io::Mesh& result() const { return result_; }
     /// The levels before the last, if they were to be kept.
@@ -61,6 +67,7 @@ class Refinement {
     void WithElements(Body&& body) const;
     void ApplyLimit();
     void GatherElements();
+    void LeaveOut();
     void GatherControl();
 
     RefinementSettings settings_;
@@ -71,6 +78,10 @@ class Refinement {
     Geometry::OrientationReport orientation_;
     Far::DiagonalChoice diagonals_;
     std::optional<Far::TopologyRefiner> refiner_;
+    FacesLeftOut left_out_;
+    std::vector<bool> is_left_out_;  // boundary faces of the last level; empty: none
+    Offset n_faces_left_out_ = 0;
+    std::vector<Index> kept_vertices_;
     std::vector<Io::Mesh> earlier_;
     Offset stencil_bytes_ = 0;
     Offset n_tags_ = 0;

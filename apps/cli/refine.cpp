@@ -11,6 +11,7 @@
 #include <solidsubdiv/apps/cli/commands.h>
 #include <solidsubdiv/apps/cli/common.h>
 #include <solidsubdiv/apps/cli/files_help.h>
+#include <solidsubdiv/apps/cli/kind_check.h>
 #include <solidsubdiv/apps/cli/matrix_market.h>
 #include <solidsubdiv/apps/cli/mesh_kinds.h>
 #include <solidsubdiv/apps/cli/mesh_report.h>
@@ -98,6 +99,7 @@ class RefineCommand {
             return option.first == "boundary" && option.second == "none";
         };
         settings.choice = MakeScheme(scheme, kind);
+        About(options_.input, [&] { RequireKinds(topology, settings.choice.scheme); });
         // Tets, octs and triangles are cut as such where the scheme has rules for them.
         const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(settings.choice.scheme, Sdc::Split::TetOct);
         settings.split = is_cut_so || !Sdc::Takes(settings.choice.scheme, Sdc::Split::Polyhedral)

@@ -145,10 +145,6 @@ void Refinement::ChooseDiagonals() {
     if (settings_.choice.diagonals == Far::DiagonalPolicy::Given && control_.topology.n_cells() > 0) {
         given = RequireDiagonalData(control_);
     }
-    // Kinds that can't be refined are refused with their names; that comes before anything is said of diagonals.
-    if (!refiner_ && control_.topology.n_tets() + control_.topology.n_octs() != control_.topology.n_cells()) {
-        Far::TopologyRefiner::Create(control_.topology.View(), Sdc::Split::TetOct);
-    }
     diagonals_ = Far::ChooseDiagonals(control_.topology.View(), settings_.choice.diagonals, control_.positions, given);
 }
 

@@ -131,6 +131,54 @@ TEST_F(CliPolyhedra, ASurfaceOfPolygonsFollowsCatmullClark) {
     for (std::size_t i = 0; i < 24; ++i) EXPECT_NEAR(std::abs(fine.positions[i]), 5.0 / 9, 1e-15);
 }
 
+TEST_F(CliPolyhedra, SchemesRefuseKindsThatTheyDoNotTakeAndNameThoseThatDo) {
+    const auto refused = [&](const std::string& file, const std::string& scheme) {
+        const Outcome outcome = Run("refine " + file + " -o out.vtu --scheme " + scheme);
+        EXPECT_EQ(outcome.status, 1) << file << " " << scheme;
+        EXPECT_FALSE(fs::exists(folder / "out.vtu"));
+        return outcome.err;
+    };
+    const std::string error = "solidsubdiv: error: ";
+    EXPECT_EQ(
+        refused("mixed.vtu", "box-spline"),
+        error +
+            "mixed.vtu: has 1 hexahedron, 1 wedge, 1 pyramid, 1 polyhedron, 1 quadrilateral and 1 polygon; scheme "
+            "box-spline takes tetrahedra, octahedra, triangles and edges only: choose catmull-clark-solid or "
+            "linear-solid\n");
+    Io::Mesh hexes = mesh_;
+    hexes.topology = {};
+    hexes.topology.n_vertices = mesh_.topology.n_vertices;
+    hexes.topology.hexes = mesh_.topology.hexes;
+    hexes.cell_data.clear();
+    WriteMesh("hexes.vtu", hexes);
+    EXPECT_EQ(refused("hexes.vtu", "loop"),
+              error +
+                  "hexes.vtu: has 1 hexahedron; scheme loop takes triangles and edges only: choose "
+                  "catmull-clark-solid or linear-solid, or refine the boundary alone\n");
+    WriteText("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n");
+    for (const char* scheme : {"interpolatory", "butterfly"}) {
+        EXPECT_THAT(refused("two.obj", scheme), testing::HasSubstr("two.obj: has 2 quadrilaterals; scheme "));
+        EXPECT_THAT(refused("two.obj", scheme), testing::EndsWith("only: choose catmull-clark or linear-surface\n"));
+    }
+    WriteMesh("tet.vtu", OneTet());
+    EXPECT_EQ(
+        refused("tet.vtu", "catmull-clark"),
+        error +
+            "tet.vtu: has 1 tetrahedron; scheme catmull-clark takes triangles, quadrilaterals, polygons and edges "
+            "only: choose box-spline, interpolatory, catmull-clark-solid or linear-solid, or refine the "
+            "boundary alone\n");
+    // Every scheme takes what the messages say.
+    for (const char* scheme : {"catmull-clark-solid", "linear-solid"}) {
+        MustRun("refine hexes.vtu -o hexes_out.vtu --scheme " + std::string(scheme));
+    }
+    for (const char* scheme : {"catmull-clark", "linear-surface"}) {
+        MustRun("refine two.obj -o two_out.obj --scheme " + std::string(scheme));
+    }
+    for (const char* scheme : {"box-spline", "interpolatory", "catmull-clark-solid", "linear-solid"}) {
+        MustRun("refine tet.vtu -o tet_out.vtu --scheme " + std::string(scheme));
+    }
+}
+
 TEST_F(CliPolyhedra, PicturesShowCellsOfEveryKindAndPolygons) {
     if (MustRun("refine --help").out.find("--picture") == std::string::npos) {
         GTEST_SKIP() << "built without pictures (no Embree or libpng)";

@@ -198,7 +198,7 @@ TEST_F(CliUsage, WhatDoesNotFitIsRefusedWithItsSize) {
 }
 
 TEST_F(CliUsage, SchemesAndDataThatDoNotGoTogetherAreSaid) {
-    ExpectError("refine lattice.vtu -o out.vtu --scheme loop", 1, {"lattice.vtu: ", "loop", "28 cells"});
+    ExpectError("refine lattice.vtu -o out.vtu --scheme loop", 1, {"lattice.vtu: ", "loop", "28 tetrahedra"});
     ExpectError("refine lattice.vtu -o out.vtu --diagonals given", 1, {"lattice.vtu: ", "'diagonal'"});
     Io::Mesh mesh = OneTet();
     mesh.cell_data.push_back({"diagonal", 1, {7}});

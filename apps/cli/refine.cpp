@@ -350,7 +350,7 @@ void AddOutputOptions(CLI::App& command, RefineOptions& o) {
 Work AddRefine(CLI::App& command) {
     const auto options = std::make_shared<RefineOptions>();
     RefineOptions& o = *options;
-    command.add_option("IN", o.input, "the control mesh: tets and octs, triangles, edges, or a mix")
+    command.add_option("IN", o.input, "the control mesh: cells, faces and edges of any kind, or a mix")
         ->required()
         ->option_text(" ");
     command.add_option("-o,--output", o.output, "the refined mesh; the extension chooses the format")
@@ -371,11 +371,16 @@ Work AddRefine(CLI::App& command) {
     command.add_flag("--limit", o.limit, "move the vertices of the last level to their limits");
     AddOutputOptions(command, o);
     command.footer(
-        "Points come in this order: the control vertices' children, then points on edges, then octahedra's centres,\n"
-        "level by level. Point data are refined like positions; cells inherit the data of their control cells, and\n"
-        "carry their diagonals as cell data 'diagonal'. Creases and corners are edges and single vertices with cell\n"
-        "data 'sharpness', or OpenSubdiv's t tags in OBJ files; what is still sharp is written with the result. Faces\n"
-        "with cell data 'hole' (t hole) are refined and left out, with the vertices that they have alone.\n\n" +
+        "Points come in this order, level by level: the control vertices' children, then points on edges, in faces "
+        "and\n"
+        "in cells (where tets and octs are cut into such: octahedra's centres alone). Point data are refined like\n"
+        "positions; cells inherit the data of their control cells, and tets and octs carry their diagonals as cell "
+        "data\n"
+        "'diagonal'. Creases and corners are edges and single vertices with cell data 'sharpness', or OpenSubdiv's t "
+        "tags\n"
+        "in OBJ files; what is still sharp is written with the result. Faces with cell data 'hole', or such a tag, "
+        "are\n"
+        "refined and left out, with the vertices that they have alone.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + WritableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv refine lattice.vtu -o solid.vtu --levels 2 --boundary solid.obj\n"

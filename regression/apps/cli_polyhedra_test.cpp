@@ -107,6 +107,28 @@ TEST_F(CliPolyhedra, TheBoundaryIsWrittenWithItsQuadrilaterals) {
     EXPECT_EQ(base.topology.n_polygons(), 1);
 }
 
+// A limit is where refinement goes: nearer at each level.
+TEST_F(CliPolyhedra, VerticesGoToTheirLimits) {
+    for (const std::string scheme : {"catmull-clark-solid", "mlca"}) {
+        const auto refined = [&](const std::string& options) {
+            MustRun("refine mixed.vtu -o out.vtu --scheme " + scheme + " " + options);
+            return Io::ReadMesh(folder / "out.vtu").positions;
+        };
+        const std::vector<double> limit = refined("--levels 1 --limit");
+        double before = 1;
+        for (const std::string levels : {"1", "2", "3"}) {
+            const std::vector<double> points = refined("--levels " + levels);
+            double distance = 0;  // of the vertices of level 1, which come first
+            for (std::size_t i = 0; i < limit.size(); ++i) {
+                distance = std::max(distance, std::abs(points[i] - limit[i]));
+            }
+            EXPECT_GT(distance, 0);
+            EXPECT_LT(distance, before / 2) << levels;
+            before = distance;
+        }
+    }
+}
+
 TEST_F(CliPolyhedra, InvertedCellsAreTurnedWithAWord) {
     Io::Mesh turned = mesh_;
     turned.topology.hexes = {4, 5, 6, 7, 0, 1, 2, 3};
@@ -143,8 +165,8 @@ TEST_F(CliPolyhedra, SchemesRefuseKindsThatTheyDoNotTakeAndNameThoseThatDo) {
         refused("mixed.vtu", "box-spline"),
         error +
             "mixed.vtu: has 1 hexahedron, 1 wedge, 1 pyramid, 1 polyhedron, 1 quadrilateral and 1 polygon; scheme "
-            "box-spline takes tetrahedra, octahedra, triangles and edges only: choose catmull-clark-solid or "
-            "linear-solid\n");
+            "box-spline takes tetrahedra, octahedra, triangles and edges only: choose catmull-clark-solid, mlca "
+            "or linear-solid\n");
     Io::Mesh hexes = mesh_;
     hexes.topology = {};
     hexes.topology.n_vertices = mesh_.topology.n_vertices;
@@ -154,7 +176,7 @@ TEST_F(CliPolyhedra, SchemesRefuseKindsThatTheyDoNotTakeAndNameThoseThatDo) {
     EXPECT_EQ(refused("hexes.vtu", "loop"),
               error +
                   "hexes.vtu: has 1 hexahedron; scheme loop takes triangles and edges only: choose "
-                  "catmull-clark-solid or linear-solid, or refine the boundary alone\n");
+                  "catmull-clark-solid, mlca or linear-solid, or refine the boundary alone\n");
     WriteText("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n");
     for (const char* scheme : {"interpolatory", "butterfly"}) {
         EXPECT_THAT(refused("two.obj", scheme), testing::HasSubstr("two.obj: has 2 quadrilaterals; scheme "));
@@ -165,7 +187,8 @@ TEST_F(CliPolyhedra, SchemesRefuseKindsThatTheyDoNotTakeAndNameThoseThatDo) {
         refused("tet.vtu", "catmull-clark"),
         error +
             "tet.vtu: has 1 tetrahedron; scheme catmull-clark takes triangles, quadrilaterals, polygons and edges "
-            "only: choose box-spline, interpolatory, catmull-clark-solid or linear-solid, or refine the "
+            "only: choose box-spline, smooth-tet, interpolatory, catmull-clark-solid, mlca or linear-solid, or refine "
+            "the "
             "boundary alone\n");
     // Every scheme takes what the messages say.
     for (const char* scheme : {"catmull-clark-solid", "linear-solid"}) {

@@ -80,6 +80,7 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
             const bool is_surface = (name == "--scheme" && surface_schemes.count(choice) > 0) || name == "--features" ||
                                     name == "--creasing" || name == "--triangles";
             if (name == "--butterfly") option += " --scheme interpolatory";
+            if (name == "--surface") option += " --scheme mlca";
             if (name == "--triangles") option += " --scheme catmull-clark";
             MustRun("refine " + std::string(is_surface ? "surface.obj" : "given.vtu") + " -o out.vtu " + option);
         }
@@ -104,6 +105,19 @@ TEST_F(CliUsage, ProgramsThatAreNotThereAreSaidAndNotListed) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
         EXPECT_THAT(run("--help").out, testing::Not(HasSubstr(name)));
     }
+}
+
+TEST_F(CliUsage, AnalyzeTakesOnePlace) {
+    EXPECT_THAT(MustRun("analyze --regular --scheme catmull-clark").out, HasSubstr("1, 1/2 x 2, 1/4 x 3"));
+    const std::string edges = MustRun("analyze --edge 3..5 --scheme mlca --json -").out;
+    for (const char* part : {"\"cells\": 3", "\"cells\": 5", "C1 spectrum"}) EXPECT_THAT(edges, HasSubstr(part));
+    ExpectError("analyze --scheme mlca", 2, {"--regular or --edge"});
+    ExpectError("analyze --regular --edge 3 --scheme mlca", 2, {"--regular or --edge"});
+    for (const char* range : {"2", "33", "3..", "..3", "3...4", "x", "3..40"}) {
+        ExpectError(std::string("analyze --scheme mlca --edge ") + range, 2, {"from 3 to 32"});
+    }
+    ExpectError("analyze --scheme mlca --edge 5..4", 2, {"starts above its end"});
+    ExpectError("analyze --scheme loop --edge 4", 2, {"loop is one of surfaces"});
 }
 
 TEST_F(CliUsage, VersionIsSaid) {
@@ -182,8 +196,6 @@ TEST_F(CliUsage, MeshesThatCannotBeRefinedAreNamedWithTheElement) {
     ExpectError("refine hex.vtu -o out.vtu --scheme box-spline", 1, {"hex.vtu: ", "1 hexahedron"});
     WriteText("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     ExpectError("refine quad.obj -o out.obj --scheme loop", 1, {"quad.obj: ", "1 quad"});
-    ExpectError("analyze --regular --scheme catmull-clark", 2, {"not yet catmull-clark"});
-    ExpectError("refine hex.vtu -o out.vtu --limit", 1, {"hex.vtu: ", "limits are there for the tet/oct split only"});
 
     hex.topology.hexes = {4, 5, 6, 7, 0, 1, 2, 3};
     WriteMesh("turned.vtu", hex);

@@ -118,8 +118,7 @@ int main(int argc, char** argv) {
         return Fail(1, arguments.shapes.string() + ": there is no such folder; name regression/shapes with --shapes");
     }
 
-    const std::filesystem::path data =
-        FromEnvironment("SOLIDSUBDIV_DATA", std::filesystem::path(SOLIDSUBDIV_SOURCE) / "../shared/data/local");
+    const std::filesystem::path data = FromEnvironment("SOLIDSUBDIV_DATA", SOLIDSUBDIV_DATA);
     Context context;
     context.shapes = arguments.shapes;
     context.osd_shapes = FromEnvironment("SOLIDSUBDIV_OSD_SHAPES", data / "opensubdiv_shapes");

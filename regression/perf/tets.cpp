@@ -3,9 +3,8 @@
 #include <optional>
 
 #include <solidsubdiv/far/stencil_table.h>
-#include <solidsubdiv/osd/backends.h>
-#include <solidsubdiv/osd/evaluator.h>
 
+#include "perf/add_evaluation.h"
 #include "perf/machine.h"
 #include "perf/meshes.h"
 #include "perf/races.h"
@@ -64,34 +63,6 @@ class BareSplit {
     const Vtr::Level& level_;
     Array<Index> tets_, edges_;
 };
-
-template <class Real>
-void AddEvaluation(Race& race, const RaceSettings& settings, const Far::StencilTableReal<Real>& table,
-                   const TestShapes::Shape& shape, const char* real) {
-    struct State {
-        Osd::EvaluatorReal<Real> eval;
-        Array<Real> control, refined;
-    };
-    const auto state = std::make_shared<State>(
-        State{{table, Osd::Backend::Best()}, {shape.positions.begin(), shape.positions.end()}, {}});
-    state->refined.assign(3 * static_cast<std::size_t>(state->eval.n_refined_vertices()), 0);
-    double moved = static_cast<double>(table.Bytes()) + 3.0 * sizeof(Real) * table.n_control_vertices();
-    double points = 0;
-    for (int l = 1; l <= table.n_levels(); ++l) {
-        points += table.level(l).n_rows();
-        moved += 3.0 * sizeof(Real) * table.level(l).n_rows() * (l < table.n_levels() ? 2 : 1);  // written, then read
-    }
-    for (int n_threads : settings.ThreadCounts()) {
-        const std::string name = std::string("evaluate positions, ") + real;
-        race.Add({.name = name + ", " + std::to_string(n_threads) + "T",
-                  .n_threads = n_threads,
-                  .run = [state] { state->eval.Evaluate(state->control, state->refined); },
-                  .work = points,
-                  .unit = "points",
-                  .peers = n_threads == 1 ? std::vector<std::string>{} : std::vector{name + ", 1T"},
-                  .moved_bytes = moved});
-    }
-}
 
 }  // namespace
 
@@ -169,8 +140,8 @@ Race RaceTets(const RaceSettings& settings) {
             [&] { refine(), stencils_double.emplace(Far::StencilTableReal<double>::Create(refiner, scheme)); },
             bytes_double);
     }
-    AddEvaluation(race, settings, table_float, shape, "float");
-    AddEvaluation(race, settings, table_double, shape, "double");
+    AddEvaluation(race, settings, table_float, shape.positions, "evaluate positions, float");
+    AddEvaluation(race, settings, table_double, shape.positions, "evaluate positions, double");
     SetFreed(Freed::GoesBack);
     race.Run(settings.Turns(9));
     return race;

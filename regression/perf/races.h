@@ -14,6 +14,8 @@ struct RaceSettings {
 };
 
 Race RaceTets(const RaceSettings& settings);
+Race RaceHexes(const RaceSettings& settings);
+Race RaceHexModels(const RaceSettings& settings);
 /// Twice: every candidate on fresh memory, and on memory that the process kept.
 Race RaceTrianglesFresh(const RaceSettings& settings);
 Race RaceTrianglesKept(const RaceSettings& settings);
@@ -28,6 +30,8 @@ struct RaceEntry {
 };
 inline constexpr RaceEntry kRaces[] = {
     {"tets", &RaceTets},
+    {"hexes", &RaceHexes},
+    {"hexes-models", &RaceHexModels},
     {"triangles-fresh", &RaceTrianglesFresh},
     {"triangles-kept", &RaceTrianglesKept},
     {"pipelines-fresh", &RacePipelinesFresh},

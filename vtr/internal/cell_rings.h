@@ -27,19 +27,19 @@ struct CellRings {
         vertices.clear();
         edges.clear();
         sides_.clear();
+        passes_.clear();
         for (Index f = 0; f < n_faces; ++f) {
             const std::span<const Index> v = face(f);
-            for (std::size_t k = 0; k < v.size(); ++k) {
-                const Index a = CornerOf(v[k]), b = CornerOf(v[k + 1 < v.size() ? k + 1 : 0]);
-                std::size_t e = 0;
-                while (e < edges.size() && edges[e] != std::array{a, b} && edges[e] != std::array{b, a}) ++e;
-                if (e == edges.size()) {
-                    edges.push_back({a, b});
-                    sides_.push_back({kNoIndex, kNoIndex});
-                }
+            const Index start = static_cast<Index>(passes_.size()), n = static_cast<Index>(v.size());
+            const Index first = CornerOf(v[0]);
+            for (Index k = 0, a = first; k < n; ++k) {
+                const Index b = k + 1 < n ? CornerOf(v[static_cast<std::size_t>(k) + 1]) : first;
+                const Index e = EdgeOf(a, b);  // twice from a to b: two edges, of which one stays without a side
                 Index& side = sides_[e][edges[e][0] == a ? 0 : 1];
                 if (side != kNoIndex) return false;
-                side = f;
+                side = start + k;
+                passes_.push_back({e, f, start + (k > 0 ? k : n) - 1});
+                a = b;
             }
         }
         for (const auto& side : sides_) {
@@ -47,46 +47,61 @@ struct CellRings {
         }
         return FindRings();
     }
+    /// One of the two faces at an edge.
+    Index FaceAt(Index edge) const { return passes_[sides_[edge][0]].face; }
 
   private:
+    /// A face goes along an edge, counterclockwise.
+    struct Pass {
+        Index edge, face;
+        Index before;  ///< the face's pass that ends where this one starts
+    };
+
     Index CornerOf(Index vertex) {
         const auto at = std::find(vertices.begin(), vertices.end(), vertex) - vertices.begin();
         if (at == static_cast<std::ptrdiff_t>(vertices.size())) vertices.push_back(vertex);
         return static_cast<Index>(at);
     }
+    /// The edge that a face passed from b to a, or a new one.
+    Index EdgeOf(Index a, Index b) {
+        const auto is_it = [&](const auto& ends) { return ends[0] == b && ends[1] == a; };
+        const auto at = std::find_if(edges.begin(), edges.end(), is_it) - edges.begin();
+        if (at == static_cast<std::ptrdiff_t>(edges.size())) {
+            edges.push_back({a, b});
+            sides_.push_back({kNoIndex, kNoIndex});
+        }
+        return static_cast<Index>(at);
+    }
 
     /// A face on the left of an edge that leaves a corner comes next; the edge on which it comes back leaves after it.
     bool FindRings() {
+        degrees_.assign(vertices.size(), 0);
+        first_edges_.assign(vertices.size(), kNoIndex);
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            for (Index corner : edges[e]) {
+                if (degrees_[corner]++ == 0) first_edges_[corner] = static_cast<Index>(e);
+            }
+        }
         ring_offsets.assign(1, 0);
         ring_edges.clear();
         ring_faces.clear();
         for (Index corner = 0; corner < static_cast<Index>(vertices.size()); ++corner) {
-            const auto starts_here = [&](const auto& e) { return e[0] == corner || e[1] == corner; };
-            const auto n = std::count_if(edges.begin(), edges.end(), starts_here);
-            const Index first =
-                static_cast<Index>(std::find_if(edges.begin(), edges.end(), starts_here) - edges.begin());
-            Index e = first;
+            Index e = first_edges_[corner];
             do {
+                const Pass& pass = passes_[sides_[e][edges[e][0] == corner ? 0 : 1]];
                 ring_edges.push_back(e);
-                ring_faces.push_back(sides_[e][edges[e][0] == corner ? 0 : 1]);
-                e = ComesBack(corner, ring_faces.back());
-            } while (e != first && static_cast<std::ptrdiff_t>(ring_edges.size()) - ring_offsets.back() <= n);
-            if (static_cast<std::ptrdiff_t>(ring_edges.size()) - ring_offsets.back() != n) return false;
+                ring_faces.push_back(pass.face);
+                e = passes_[pass.before].edge;
+            } while (e != first_edges_[corner]);
             ring_offsets.push_back(static_cast<Index>(ring_edges.size()));
+            if (ring_offsets.back() - ring_offsets[corner] != degrees_[corner]) return false;
         }
         return true;
     }
-    /// The edge on which a face comes back to a corner: it has the corner and the face on its right as it leaves.
-    Index ComesBack(Index corner, Index f) const {
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            if ((edges[e][0] == corner && sides_[e][1] == f) || (edges[e][1] == corner && sides_[e][0] == f)) {
-                return static_cast<Index>(e);
-            }
-        }
-        return kNoIndex;
-    }
 
-    std::vector<std::array<Index, 2>> sides_;  // of each edge: the face on the left, on the right from its first end
+    std::vector<Pass> passes_;                  // of all faces, one after another
+    std::vector<std::array<Index, 2>> sides_;   // of each edge: the pass from its first end, from its second
+    std::vector<Index> degrees_, first_edges_;  // of each corner
 };
 
 }  // namespace SolidSubdiv::Vtr::Internal

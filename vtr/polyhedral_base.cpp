@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include <solidsubdiv/sdc/hex_split.h>
 #include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/grouping.h>
 #include <solidsubdiv/vtr/internal/cell_rings.h>
+#include <solidsubdiv/vtr/internal/face_items.h>
 #include <solidsubdiv/vtr/internal/polyhedral_rules.h>
+#include <solidsubdiv/vtr/internal/unique_faces.h>
 #include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Vtr {
@@ -20,71 +23,35 @@ using Sdc::Hex;
 
 constexpr Offset kGrain = 1024;
 
-/// Lists of vertices around faces: sides of hexahedra, faces of other cells, polygons, in this order.
-class FaceItems {
-  public:
-    explicit FaceItems(const PolyhedralElements& in) : in_(in) {
-        const auto rows = [](std::span<const Offset> offsets) {
-            return offsets.empty() ? Offset{0} : static_cast<Offset>(offsets.size()) - 1;
-        };
-        n_hexes_ = static_cast<Index>(in.hexes.size() / Hex::kVertices);
-        n_hex_items_ = Offset{Hex::kFaces} * n_hexes_;
-        n_cell_items_ = n_hex_items_ + rows(in.face_offsets);
-        n_ = n_cell_items_ + rows(in.polygon_offsets);
-        for (Index c = 0; c < rows(in.cell_offsets); ++c) {
-            cells_.insert(cells_.end(), static_cast<std::size_t>(in.cell_offsets[c + 1] - in.cell_offsets[c]),
-                          n_hexes_ + c);
+/// Calls body(begin, end, findings) on ranges that cover [0, n), in parallel; what they find is added in their order.
+template <class Body>
+void FindInRanges(Offset n, PolyhedralFindings& findings, Body&& body) {
+    const Offset n_ranges = (n + kGrain - 1) / kGrain;
+    std::vector<PolyhedralFindings> parts(static_cast<std::size_t>(n_ranges));
+    Sdc::ParallelFor(n_ranges, 1, [&](Offset first, Offset last) {
+        for (Offset range = first; range < last; ++range) {
+            body(static_cast<Index>(range * kGrain), static_cast<Index>(std::min((range + 1) * kGrain, n)),
+                 parts[static_cast<std::size_t>(range)]);
+        }
+    });
+    using F = PolyhedralFindings;
+    for (const F& part : parts) {
+        for (auto list : {&F::open_cells, &F::duplicate_cells, &F::faces_in_three_cells, &F::twisted_faces,
+                          &F::duplicate_polygons, &F::coincident_polygons, &F::flipped_faces}) {
+            (findings.*list).insert((findings.*list).end(), (part.*list).begin(), (part.*list).end());
         }
     }
-    Offset size() const { return n_; }
-    Offset n_hex_items() const { return n_hex_items_; }
-    Offset n_cell_items() const { return n_cell_items_; }
-    bool IsPolygon(Offset i) const { return i >= n_cell_items_; }
-    /// The cell that has item i, or kNoIndex.
-    Index CellOf(Offset i) const {
-        if (i < n_hex_items_) return static_cast<Index>(i / Hex::kFaces);
-        return IsPolygon(i) ? kNoIndex : cells_[static_cast<std::size_t>(i - n_hex_items_)];
-    }
-    int Count(Offset i) const {
-        if (i < n_hex_items_) return 4;
-        const auto [offsets, at] = RowOf(i);
-        return static_cast<int>(offsets[at + 1] - offsets[at]);
-    }
-    Index Vertex(Offset i, int k) const {
-        if (i < n_hex_items_) {
-            return in_.hexes[static_cast<std::size_t>(i / Hex::kFaces * Hex::kVertices +
-                                                      Hex::faces[static_cast<std::size_t>(i % Hex::kFaces)][k])];
-        }
-        const auto [offsets, at] = RowOf(i);
-        return (IsPolygon(i) ? in_.polygon_vertices : in_.face_vertices)[static_cast<std::size_t>(offsets[at] + k)];
-    }
-
-  private:
-    struct Row {
-        std::span<const Offset> offsets;
-        std::size_t at;
-    };
-    Row RowOf(Offset i) const {
-        if (IsPolygon(i)) return {in_.polygon_offsets, static_cast<std::size_t>(i - n_cell_items_)};
-        return {in_.face_offsets, static_cast<std::size_t>(i - n_hex_items_)};
-    }
-
-    const PolyhedralElements& in_;
-    Index n_hexes_;
-    Offset n_hex_items_, n_cell_items_, n_;
-    std::vector<Index> cells_;
-};
+}
 
 class Builder {
   public:
     Builder(const PolyhedralElements& elements, PolyhedralFindings& findings)
-        : in_(elements), findings_(findings), items_(elements) {}
+        : in_(elements), findings_(findings), items_(elements), faces_(items_, elements.n_vertices) {}
 
     PolyhedralLevel Build() {
         level_.n_vertices = in_.n_vertices;
         level_.n_hexes = static_cast<Index>(in_.hexes.size() / Hex::kVertices);
         level_.hex_vertices.assign(in_.hexes.begin(), in_.hexes.end());
-        NumberFaces();
         MakeFaces();
         MakeEdges();
         if (!findings_.IsUsable()) return std::move(level_);
@@ -101,121 +68,72 @@ class Builder {
     }
 
   private:
-    /// Of each item its face: items with the same vertices are one. Faces in lexicographic order of ascending vertices.
-    void NumberFaces() {
-        const Offset n = items_.size();
-        Array<Offset> starts(static_cast<std::size_t>(n) + 1);
-        for (Offset i = 0; i < n; ++i) starts[i] = items_.Count(i);
-        Array<Index> sorted(static_cast<std::size_t>(Sdc::ScanLengths(starts)));
-        Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
-            for (Offset i = begin; i < end; ++i) {
-                Index* const row = sorted.data() + starts[i];
-                const int size = items_.Count(i);
-                for (int k = 0; k < size; ++k) row[k] = items_.Vertex(i, k);
-                std::sort(row, row + size);
-            }
-        });
-        const auto vertices = [&](Offset i) {
-            return std::span(sorted.data() + starts[i], static_cast<std::size_t>(starts[i + 1] - starts[i]));
-        };
-        const auto compare = [&](Index i, Index j) {
-            const auto a = vertices(i), b = vertices(j);
-            return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
-        };
-        const auto visit = [&](auto&& add) {
-            for (Offset i = 0; i < n; ++i) add(vertices(i)[0], static_cast<Index>(i));
-        };
-        Array<Offset> rows = CountRows(in_.n_vertices, visit);
-        items_of_face_.resize(static_cast<std::size_t>(n));
-        FillRows(rows, visit, [&](Offset place, Index i) { items_of_face_[place] = i; });
-        Sdc::ParallelFor(in_.n_vertices, kGrain, [&](Offset begin, Offset end) {
-            for (Offset v = begin; v < end; ++v) {
-                std::sort(items_of_face_.begin() + rows[v], items_of_face_.begin() + rows[v + 1],
-                          [&](Index i, Index j) {
-                              const auto order = compare(i, j);
-                              return order != 0 ? order < 0 : i < j;
-                          });
-            }
-        });
-        face_of_item_.resize(static_cast<std::size_t>(n));
-        face_items_.assign(1, 0);
-        for (Offset k = 0; k < n; ++k) {
-            const Index i = items_of_face_[k];
-            if (k > 0 && compare(i, items_of_face_[k - 1]) != 0) face_items_.push_back(k);
-            face_of_item_[i] = static_cast<Index>(face_items_.size()) - 1;
-        }
-        if (n > 0) face_items_.push_back(n);
-        level_.n_faces = static_cast<Index>(face_items_.size()) - 1;
-    }
-
     /// An item's vertices from the lowest on, and whether the next of them is lower than the last.
     bool Around(Offset i, std::vector<Index>& out) const {
-        const int n = items_.Count(i);
-        int lowest = 0;
-        for (int k = 1; k < n; ++k) {
-            if (items_.Vertex(i, k) < items_.Vertex(i, lowest)) lowest = k;
-        }
-        out.clear();
-        for (int k = 0; k < n; ++k) out.push_back(items_.Vertex(i, (lowest + k) % n));
+        items_.Copy(i, out);
+        std::rotate(out.begin(), std::min_element(out.begin(), out.end()), out.end());
         return out[1] < out.back();
     }
 
     void MakeFaces() {
+        level_.n_faces = faces_.size();
         level_.face_cells.resize(2 * static_cast<std::size_t>(level_.n_faces));
-        RowOffsets& rows = level_.face_rows;
-        rows.fixed = 0;
-        rows.offsets.assign(1, 0);
-        std::vector<Index> around, first_around, listed;
-        for (Index f = 0; f < level_.n_faces; ++f) {
-            Index* const cells = level_.face_cells.data() + 2 * static_cast<std::size_t>(f);
-            cells[0] = cells[1] = kNoIndex;
-            int n_cells = 0;
-            bool first_is_forward = false, has_polygon = false;
-            for (Offset k = face_items_[f]; k < face_items_[f + 1]; ++k) {
-                const Offset i = items_of_face_[k];
-                const bool is_forward = Around(i, around);
-                const bool is_first = k == face_items_[f];
-                if (is_first) {
-                    listed = around;
-                    first_is_forward = is_forward;
-                }
-                if (is_forward != first_is_forward) std::reverse(around.begin() + 1, around.end());
-                if (is_first) {
-                    first_around = around;
-                } else if (around != first_around) {
-                    findings_.twisted_faces.push_back(f);
-                    break;
-                }
-                if (items_.IsPolygon(i)) {
-                    const Index polygon = static_cast<Index>(i - items_.n_cell_items());
-                    if (has_polygon) {
-                        findings_.duplicate_polygons.push_back(polygon);
-                    } else if (n_cells > 0) {
-                        findings_.coincident_polygons.push_back(polygon);
-                    }
-                    has_polygon = true;
-                    continue;
-                }
-                if (n_cells == 2) {
-                    findings_.faces_in_three_cells.push_back(f);
-                    break;
-                }
-                if (n_cells == 1 && is_forward == first_is_forward) findings_.flipped_faces.push_back(f);
-                cells[n_cells++] = items_.CellOf(i);
+        Array<Offset> starts(static_cast<std::size_t>(level_.n_faces) + 1);
+        std::atomic<bool> all_quads = true;
+        Sdc::ParallelFor(level_.n_faces, kGrain, [&](Offset begin, Offset end) {
+            for (Offset f = begin; f < end; ++f) {
+                starts[f] = items_.Count(faces_.items[faces_.starts[f]]);
+                if (starts[f] != 4) all_quads = false;
             }
-            // Between two cells the list does not depend on their order: its second vertex is lower than its last.
-            if (n_cells == 2 && !first_is_forward) {
-                std::swap(cells[0], cells[1]);
-                std::reverse(listed.begin() + 1, listed.end());
+        });
+        level_.face_vertices.resize(static_cast<std::size_t>(Sdc::ScanLengths(starts)));
+        if (!all_quads) level_.face_rows = {std::move(starts), 0};
+        FindInRanges(level_.n_faces, findings_, [&](Index begin, Index end, PolyhedralFindings& found) {
+            std::vector<Index> around;
+            for (Index f = begin; f < end; ++f) MakeFace(f, around, found);
+        });
+    }
+
+    /// @param around scratch
+    void MakeFace(Index f, std::vector<Index>& around, PolyhedralFindings& found) {
+        Index* const cells = level_.face_cells.data() + 2 * static_cast<std::size_t>(f);
+        Index* const listed = level_.face_vertices.data() + level_.face_rows.Start(f);
+        cells[0] = cells[1] = kNoIndex;
+        int n_cells = 0;
+        bool first_is_forward = false, has_polygon = false;
+        for (Offset k = faces_.starts[f]; k < faces_.starts[f + 1]; ++k) {
+            const Offset i = faces_.items[k];
+            const bool is_forward = Around(i, around);
+            if (k == faces_.starts[f]) {
+                first_is_forward = is_forward;
+                std::copy(around.begin(), around.end(), listed);
             }
-            level_.face_vertices.insert(level_.face_vertices.end(), listed.begin(), listed.end());
-            rows.offsets.push_back(static_cast<Offset>(level_.face_vertices.size()));
+            if (is_forward != first_is_forward) std::reverse(around.begin() + 1, around.end());
+            if (!std::equal(around.begin(), around.end(), listed)) {
+                found.twisted_faces.push_back(f);
+                break;
+            }
+            if (items_.IsPolygon(i)) {
+                const Index polygon = static_cast<Index>(i - items_.n_cell_items());
+                if (has_polygon) {
+                    found.duplicate_polygons.push_back(polygon);
+                } else if (n_cells > 0) {
+                    found.coincident_polygons.push_back(polygon);
+                }
+                has_polygon = true;
+                continue;
+            }
+            if (n_cells == 2) {
+                found.faces_in_three_cells.push_back(f);
+                break;
+            }
+            if (n_cells == 1 && is_forward == first_is_forward) found.flipped_faces.push_back(f);
+            cells[n_cells++] = items_.CellOf(i);
         }
-        if (level_.face_vertices.size() == 4 * static_cast<std::size_t>(level_.n_faces)) {
-            const auto is_quad = [&](Index f) { return rows.Count(f) == 4; };
-            bool all = true;
-            for (Index f = 0; f < level_.n_faces; ++f) all = all && is_quad(f);
-            if (all) rows = {{}, 4};
+        // Between two cells the list does not depend on their order: its second vertex is lower than its last.
+        if (n_cells == 2 && !first_is_forward) {
+            std::swap(cells[0], cells[1]);
+            std::reverse(listed + 1, listed + level_.face_rows.Count(f));
         }
     }
 
@@ -223,22 +141,27 @@ class Builder {
         const Offset n_face_items = static_cast<Offset>(level_.face_vertices.size());
         const Offset n_free = static_cast<Offset>(in_.edges.size() / 2);
         Array<Index> next(level_.face_vertices.size());
-        for (Index f = 0; f < level_.n_faces; ++f) {
-            const Offset start = level_.face_rows.Start(f);
-            const int n = level_.face_rows.Count(f);
-            for (int k = 0; k < n; ++k) next[start + k] = level_.face_vertices[start + (k + 1) % n];
-        }
+        Sdc::ParallelFor(level_.n_faces, kGrain, [&](Offset begin, Offset end) {
+            for (Offset f = begin; f < end; ++f) {
+                const auto v = level_.FaceVertices(static_cast<Index>(f));
+                std::rotate_copy(v.begin(), v.begin() + 1, v.end(),
+                                 next.begin() + level_.face_rows.Start(static_cast<Index>(f)));
+            }
+        });
         UniqueTuples<2> edges(in_.n_vertices, n_face_items + n_free, [&](Offset i) -> std::array<Index, 2> {
             if (i < n_face_items) return {level_.face_vertices[i], next[i]};
             return {in_.edges[2 * (i - n_face_items)], in_.edges[2 * (i - n_face_items) + 1]};
         });
         level_.n_edges = edges.size();
         level_.edge_vertices = std::move(edges.tuples);
-        level_.face_edges.assign(edges.ids.begin(), edges.ids.begin() + n_face_items);
+        level_.face_edges = std::move(edges.ids);
+        const std::vector<Index> free(level_.face_edges.begin() + n_face_items, level_.face_edges.end());
+        level_.face_edges.resize(static_cast<std::size_t>(n_face_items));
+        if (free.empty()) return;
         std::vector<std::uint8_t> use(static_cast<std::size_t>(level_.n_edges), 0);
         for (Index e : level_.face_edges) use[e] = 1;
-        for (Offset i = 0; i < n_free; ++i) {
-            std::uint8_t& mine = use[edges.ids[n_face_items + i]];
+        for (std::size_t i = 0; i < free.size(); ++i) {
+            std::uint8_t& mine = use[free[i]];
             if (mine == 2) {
                 findings_.duplicate_edges.push_back(static_cast<Index>(i));
             } else if (mine == 1) {
@@ -261,7 +184,7 @@ class Builder {
     }
 
     void MakeHexes() {
-        level_.hex_faces.assign(face_of_item_.begin(), face_of_item_.begin() + items_.n_hex_items());
+        level_.hex_faces.assign(faces_.face_of_item.begin(), faces_.face_of_item.begin() + items_.n_hex_items());
         level_.hex_edges.resize(Hex::kEdges * static_cast<std::size_t>(level_.n_hexes));
         Sdc::ParallelFor(level_.n_hexes, kGrain, [&](Offset begin, Offset end) {
             for (Offset c = begin; c < end; ++c) {
@@ -280,57 +203,71 @@ class Builder {
         p.offsets.assign(in_.cell_offsets.begin(), in_.cell_offsets.end());
         p.face_vertex_offsets.assign(in_.face_offsets.begin(), in_.face_offsets.end());
         p.face_vertices.assign(in_.face_vertices.begin(), in_.face_vertices.end());
-        p.faces.assign(face_of_item_.begin() + items_.n_hex_items(), face_of_item_.begin() + items_.n_cell_items());
-        Internal::CellRings rings;
-        for (Index c = 0; c < p.size(); ++c) {
+        p.faces.assign(faces_.face_of_item.begin() + items_.n_hex_items(),
+                       faces_.face_of_item.begin() + items_.n_cell_items());
+        const auto find_rings = [&](Index c, Internal::CellRings& rings) {
             const Offset first = p.offsets[c];
-            const bool is_closed = rings.Find(static_cast<Index>(p.offsets[c + 1] - first), [&](Index f) {
+            return rings.Find(static_cast<Index>(p.offsets[c + 1] - first), [&](Index f) {
                 const Offset start = p.face_vertex_offsets[first + f], end = p.face_vertex_offsets[first + f + 1];
                 return std::span<const Index>(p.face_vertices.data() + start, static_cast<std::size_t>(end - start));
             });
-            std::vector<Index> faces(p.faces.begin() + first, p.faces.begin() + p.offsets[c + 1]);
-            std::sort(faces.begin(), faces.end());
-            const bool has_face_twice = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
-            if (!is_closed || has_face_twice) {
-                findings_.open_cells.push_back(level_.n_hexes + c);
-                continue;
+        };
+        // Count, scan, fill: rings are found twice, which costs less than to keep them.
+        p.vertex_offsets.resize(p.offsets.size());
+        p.edge_offsets.resize(p.offsets.size());
+        FindInRanges(p.size(), findings_, [&](Index begin, Index end, PolyhedralFindings& found) {
+            Internal::CellRings rings;
+            std::vector<Index> faces;
+            for (Index c = begin; c < end; ++c) {
+                faces.assign(p.faces.begin() + p.offsets[c], p.faces.begin() + p.offsets[c + 1]);
+                std::sort(faces.begin(), faces.end());
+                const bool has_face_twice = std::adjacent_find(faces.begin(), faces.end()) != faces.end();
+                if (!find_rings(c, rings) || has_face_twice) found.open_cells.push_back(level_.n_hexes + c);
+                p.vertex_offsets[c] = static_cast<Offset>(rings.vertices.size());
+                p.edge_offsets[c] = static_cast<Offset>(rings.edges.size());
             }
-            p.vertices.insert(p.vertices.end(), rings.vertices.begin(), rings.vertices.end());
-            p.vertex_offsets.push_back(static_cast<Offset>(p.vertices.size()));
-            const Offset first_ring = static_cast<Offset>(p.ring_edges.size());
-            for (std::size_t i = 1; i < rings.ring_offsets.size(); ++i) {
-                p.ring_offsets.push_back(first_ring + rings.ring_offsets[i]);
+        });
+        if (!findings_.IsUsable()) return;
+        p.vertices.resize(static_cast<std::size_t>(Sdc::ScanLengths(p.vertex_offsets)));
+        p.edges.resize(static_cast<std::size_t>(Sdc::ScanLengths(p.edge_offsets)));
+        p.ring_offsets.resize(p.vertices.size() + 1);
+        p.ring_edges.resize(2 * p.edges.size());  // an edge is in the rings of its ends
+        p.ring_faces.resize(2 * p.edges.size());
+        Sdc::ParallelFor(p.size(), kGrain, [&](Offset begin, Offset end) {
+            Internal::CellRings rings;
+            for (Offset c = begin; c < end; ++c) {
+                find_rings(static_cast<Index>(c), rings);
+                const Offset first_corner = p.vertex_offsets[c], first_ring = 2 * p.edge_offsets[c];
+                std::copy(rings.vertices.begin(), rings.vertices.end(), p.vertices.begin() + first_corner);
+                for (std::size_t i = 1; i < rings.ring_offsets.size(); ++i) {
+                    p.ring_offsets[first_corner + static_cast<Offset>(i)] = first_ring + rings.ring_offsets[i];
+                }
+                std::copy(rings.ring_edges.begin(), rings.ring_edges.end(), p.ring_edges.begin() + first_ring);
+                std::copy(rings.ring_faces.begin(), rings.ring_faces.end(), p.ring_faces.begin() + first_ring);
+                for (std::size_t e = 0; e < rings.edges.size(); ++e) {
+                    const auto [a, b] = rings.edges[e];
+                    p.edges[p.edge_offsets[c] + static_cast<Offset>(e)] =
+                        EdgeOf(p.faces[p.offsets[c] + rings.FaceAt(static_cast<Index>(e))], rings.vertices[a],
+                               rings.vertices[b]);
+                }
             }
-            p.ring_edges.insert(p.ring_edges.end(), rings.ring_edges.begin(), rings.ring_edges.end());
-            p.ring_faces.insert(p.ring_faces.end(), rings.ring_faces.begin(), rings.ring_faces.end());
-            // Any face at an edge knows its number: the one after it in a ring of one of its ends does.
-            std::vector<Index> face_at(rings.edges.size());
-            for (std::size_t i = 0; i < rings.ring_edges.size(); ++i)
-                face_at[rings.ring_edges[i]] = rings.ring_faces[i];
-            for (std::size_t e = 0; e < rings.edges.size(); ++e) {
-                p.edges.push_back(EdgeOf(p.faces[first + face_at[e]], rings.vertices[rings.edges[e][0]],
-                                         rings.vertices[rings.edges[e][1]]));
-            }
-            p.edge_offsets.push_back(static_cast<Offset>(p.edges.size()));
-        }
+        });
     }
 
     /// Two cells that are the same share all faces: any one tells.
     void FindDuplicateCells() {
-        const auto vertices = [&](Index c) {
-            const auto v = level_.CellVertices(c);
-            std::vector<Index> sorted(v.begin(), v.end());
-            std::sort(sorted.begin(), sorted.end());
-            return sorted;
-        };
-        for (Index c = 0; c < level_.n_cells(); ++c) {
-            const auto sides = level_.FaceCells(level_.CellFaces(c)[0]);
-            const Index other = sides[0] == c ? sides[1] : sides[0];
-            if (other == kNoIndex || other > c) continue;
-            if (level_.CellVertices(other).size() == level_.CellVertices(c).size() && vertices(other) == vertices(c)) {
-                findings_.duplicate_cells.push_back(c);
+        FindInRanges(level_.n_cells(), findings_, [&](Index begin, Index end, PolyhedralFindings& found) {
+            for (Index c = begin; c < end; ++c) {
+                const auto sides = level_.FaceCells(level_.CellFaces(c)[0]);
+                const Index other = sides[0] == c ? sides[1] : sides[0];
+                if (other == kNoIndex || other > c) continue;
+                const auto mine = level_.CellVertices(c), others = level_.CellVertices(other);
+                const auto has = [&](Index v) { return std::find(others.begin(), others.end(), v) != others.end(); };
+                if (mine.size() == others.size() && std::all_of(mine.begin(), mine.end(), has)) {
+                    found.duplicate_cells.push_back(c);
+                }
             }
-        }
+        });
     }
 
     void MakeUpwardRelations() {
@@ -375,11 +312,9 @@ class Builder {
 
     const PolyhedralElements& in_;
     PolyhedralFindings& findings_;
-    const FaceItems items_;
+    const Internal::FaceItems items_;
+    const Internal::UniqueFaces faces_;
     PolyhedralLevel level_;
-    std::vector<Index> items_of_face_;  // items, those of a face side by side
-    std::vector<Index> face_of_item_;
-    std::vector<Offset> face_items_;  // of each face: its items
 };
 
 }  // namespace

@@ -12,6 +12,18 @@
 
 namespace SolidSubdiv::Vtr {
 
+/// Sorts few numbers, without branches.
+template <std::size_t N>
+void SortFew(std::array<Index, N>& numbers) {
+    for (std::size_t i = 1; i < N; ++i) {
+        for (std::size_t k = i; k > 0; --k) {
+            const auto [low, high] = std::minmax({numbers[k - 1], numbers[k]});
+            numbers[k - 1] = low;
+            numbers[k] = high;
+        }
+    }
+}
+
 template <std::size_t N>
 struct UniqueTuples {
     Array<Index> tuples;  ///< (size(), N), ascending within a tuple, tuples in lexicographic order
@@ -27,7 +39,7 @@ struct UniqueTuples {
         Sdc::ParallelFor(n_items, kGrain, [&](Offset begin, Offset end) {
             for (Offset i = begin; i < end; ++i) {
                 keys[i] = tuple_of(i);
-                std::sort(keys[i].begin(), keys[i].end());
+                SortFew(keys[i]);
             }
         });
 

@@ -60,7 +60,7 @@ SurfacePeers CgalPeers(const TestShapes::Shape& shape, int n_levels) {
                                       sums.Add(static_cast<double>(p.x()), static_cast<double>(p.y()),
                                                static_cast<double>(p.z()));
                                   }
-                                  sums.n_triangles = static_cast<double>(state->mesh.number_of_faces());
+                                  sums.n_faces = static_cast<double>(state->mesh.number_of_faces());
                                   return sums;
                               },
                           .clear = [state] { state->mesh = Mesh(); }});

@@ -2,10 +2,13 @@
 // The meshes that the races run on.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <solidsubdiv/far/topology_descriptor.h>
+#include <solidsubdiv/kit/io/mesh.h>
 
 #include "test_shapes.h"
 
@@ -18,10 +21,9 @@ inline TestShapes::Shape TetBlock(bool is_quick) {
     return s;
 }
 
-/// A torus of 125 x 200 quads: 50,000 triangles, 25,000 vertices. Every fourth quad, chosen by chance, is cut along its
-/// other diagonal, so that vertices have 4 to 8 neighbours and three in four are irregular.
-inline TestShapes::Shape Torus(bool is_quick) {
-    const int m = is_quick ? 40 : 125, n = is_quick ? 63 : 200;
+/// A torus of m x n quads, each cut into two triangles. Every fourth quad, chosen by chance, is cut along its other
+/// diagonal, so that vertices have 4 to 8 neighbours and three in four are irregular.
+inline TestShapes::Shape Torus(int m, int n) {
     TestShapes::Shape s;
     TestShapes::Random random(2);
     s.n_vertices = m * n;
@@ -38,6 +40,40 @@ inline TestShapes::Shape Torus(bool is_quick) {
     }
     TestShapes::Jitter(s, 0.002, 3);
     return s;
+}
+/// 50,000 triangles, 25,000 vertices.
+inline TestShapes::Shape Torus(bool is_quick) { return is_quick ? Torus(40, 63) : Torus(125, 200); }
+
+/// 50,112 quadrilaterals, 50,112 vertices: three in each triangle of a torus, around its centre.
+inline Io::Mesh QuadTorus(bool is_quick) {
+    const TestShapes::Shape s = is_quick ? Torus(24, 36) : Torus(72, 116);
+    Io::Mesh mesh;
+    mesh.positions = s.positions;
+    mesh.topology.n_vertices = s.n_vertices;
+    const auto mean = [&](std::initializer_list<Index> vertices) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double sum = 0;
+            for (Index v : vertices) sum += s.positions[3 * static_cast<std::size_t>(v) + axis];
+            mesh.positions.push_back(sum / static_cast<double>(vertices.size()));
+        }
+        return mesh.topology.n_vertices++;
+    };
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+        const auto [at, is_new] = middles.try_emplace(std::minmax(a, b), kNoIndex);
+        if (is_new) at->second = mean({a, b});
+        return at->second;
+    };
+    for (std::size_t t = 0; t < s.triangles.size(); t += 3) {
+        const Index* const v = &s.triangles[t];
+        const Index centre = mean({v[0], v[1], v[2]});
+        for (int k = 0; k < 3; ++k) {
+            const Index before = v[(k + 2) % 3], next = v[(k + 1) % 3];
+            const Index corners[] = {v[k], middle(v[k], next), centre, middle(before, v[k])};
+            mesh.topology.quads.insert(mesh.topology.quads.end(), std::begin(corners), std::end(corners));
+        }
+    }
+    return mesh;
 }
 
 inline Far::TopologyDescriptor Describe(const TestShapes::Shape& s) {

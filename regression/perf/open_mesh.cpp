@@ -54,7 +54,7 @@ SurfacePipeline MakePipeline(const std::shared_ptr<State>& state) {
                         const auto& p = state->mesh.point(v);
                         sums.Add(p[0], p[1], p[2]);
                     }
-                    sums.n_triangles = static_cast<double>(state->mesh.n_faces());
+                    sums.n_faces = static_cast<double>(state->mesh.n_faces());
                     return sums;
                 },
             .clear = [state] { state->mesh = Mesh(); }};

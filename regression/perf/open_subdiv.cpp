@@ -15,7 +15,7 @@ namespace SolidSubdiv::Perf {
 
 namespace {
 
-namespace Far = OpenSubdiv::Far;
+namespace Theirs = OpenSubdiv::Far;
 using OpenSubdiv::Sdc::Options;
 
 /// A point as PrimvarRefiner wants it.
@@ -28,47 +28,54 @@ struct Point {
 }  // namespace
 
 struct OpenSubdivSurface::State {
-    std::vector<int> triangles, sizes;
+    std::vector<int> vertices, sizes;
     std::vector<Point> control, points[2];
+    OpenSubdiv::Sdc::SchemeType scheme;
     int n_levels;
-    std::unique_ptr<Far::TopologyRefiner> refiner;
-    std::unique_ptr<const Far::StencilTable> table;
+    std::unique_ptr<Theirs::TopologyRefiner> refiner;
+    std::unique_ptr<const Theirs::StencilTable> table;
 
     void MakeTable(bool cascaded) {
-        Far::StencilTableFactory::Options options;
+        Theirs::StencilTableFactory::Options options;
         options.generateIntermediateLevels = cascaded;
         options.factorizeIntermediateLevels = !cascaded;
         options.maxLevel = static_cast<unsigned>(n_levels) & 15;
-        table.reset(Far::StencilTableFactory::Create(*refiner, options));
+        table.reset(Theirs::StencilTableFactory::Create(*refiner, options));
     }
 };
 
-OpenSubdivSurface::OpenSubdivSurface(const TestShapes::Shape& shape, int n_levels) : state_(std::make_unique<State>()) {
+OpenSubdivSurface::OpenSubdivSurface(const Far::TopologyDescriptor& mesh, std::span<const double> positions,
+                                     int n_levels)
+    : state_(std::make_unique<State>()) {
+    const bool has_quads = !mesh.quads.empty();
+    const std::span<const Index> faces = has_quads ? mesh.quads : mesh.triangles;
+    const int arity = has_quads ? 4 : 3;
+    state_->scheme = has_quads ? OpenSubdiv::Sdc::SCHEME_CATMARK : OpenSubdiv::Sdc::SCHEME_LOOP;
     state_->n_levels = n_levels;
-    state_->triangles.assign(shape.triangles.begin(), shape.triangles.end());
-    state_->sizes.assign(shape.triangles.size() / 3, 3);
-    for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
-        const auto* p = &shape.positions[i];
+    state_->vertices.assign(faces.begin(), faces.end());
+    state_->sizes.assign(faces.size() / static_cast<std::size_t>(arity), arity);
+    for (std::size_t i = 0; i < positions.size(); i += 3) {
+        const auto* p = &positions[i];
         state_->control.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
     }
 }
 OpenSubdivSurface::~OpenSubdivSurface() = default;
 
 void OpenSubdivSurface::Create() {
-    Far::TopologyDescriptor descriptor;
+    Theirs::TopologyDescriptor descriptor;
     descriptor.numVertices = static_cast<int>(state_->control.size());
     descriptor.numFaces = static_cast<int>(state_->sizes.size());
     descriptor.numVertsPerFace = state_->sizes.data();
-    descriptor.vertIndicesPerFace = state_->triangles.data();
+    descriptor.vertIndicesPerFace = state_->vertices.data();
     Options options;
     options.SetVtxBoundaryInterpolation(Options::VTX_BOUNDARY_EDGE_ONLY);
-    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    state_->refiner.reset(Factory::Create(descriptor, Factory::Options(OpenSubdiv::Sdc::SCHEME_LOOP, options)));
+    using Factory = Theirs::TopologyRefinerFactory<Theirs::TopologyDescriptor>;
+    state_->refiner.reset(Factory::Create(descriptor, Factory::Options(state_->scheme, options)));
     if (!state_->refiner) throw std::runtime_error("OpenSubdiv refuses the mesh");
 }
 
 void OpenSubdivSurface::Refine(bool full) {
-    Far::TopologyRefiner::UniformOptions options(state_->n_levels);
+    Theirs::TopologyRefiner::UniformOptions options(state_->n_levels);
     options.fullTopologyInLastLevel = full;
     state_->refiner->RefineUniform(options);
 }
@@ -77,7 +84,7 @@ void OpenSubdivSurface::MakeCascaded() { state_->MakeTable(true); }
 void OpenSubdivSurface::MakeComposite() { state_->MakeTable(false); }
 
 void OpenSubdivSurface::Interpolate() {
-    const Far::PrimvarRefiner primvars(*state_->refiner);
+    const Theirs::PrimvarRefiner primvars(*state_->refiner);
     const Point* from = state_->control.data();
     for (int l = 1; l <= state_->n_levels; ++l) {
         std::vector<Point>& to = state_->points[l % 2];
@@ -111,7 +118,7 @@ PointSums OpenSubdivSurface::Sums() const {
     for (const Point& p : state_->points[state_->n_levels % 2]) {
         sums.Add(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
     }
-    sums.n_triangles = state_->refiner->GetLevel(state_->n_levels).GetNumFaces();
+    sums.n_faces = state_->refiner->GetLevel(state_->n_levels).GetNumFaces();
     return sums;
 }
 

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenSubdiv at its fastest documented use, behind plain types: a Loop surface refined, its tables, its evaluator.
+// OpenSubdiv at its fastest documented use, behind plain types: a surface refined, its tables, its evaluator.
 #pragma once
 
 #if SOLIDSUBDIV_HAS_OPENSUBDIV
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include <solidsubdiv/far/topology_descriptor.h>
+
 #include "perf/surface_peers.h"
-#include "test_shapes.h"
 
 namespace SolidSubdiv::Perf {
 
 class OpenSubdivSurface {
   public:
-    OpenSubdivSurface(const TestShapes::Shape& shape, int n_levels);
+    /// Triangles by Loop's scheme, or quadrilaterals by Catmull and Clark's.
+    OpenSubdivSurface(const Far::TopologyDescriptor& mesh, std::span<const double> positions, int n_levels);
     ~OpenSubdivSurface();
 
     void Create();

@@ -77,7 +77,7 @@ void AddOurs(std::vector<SurfacePipeline>& pipelines, const TestShapes::Shape& s
 
 #if SOLIDSUBDIV_HAS_OPENSUBDIV
 SurfacePeers OpenSubdivPeers(const TestShapes::Shape& shape) {
-    const auto theirs = std::make_shared<OpenSubdivSurface>(shape, kLevels);
+    const auto theirs = std::make_shared<OpenSubdivSurface>(Describe(shape), shape.positions, kLevels);
     SurfacePeers peers;
     peers.loop.push_back({.name = "OpenSubdiv, float",
                           .run =
@@ -112,7 +112,7 @@ void AddScheme(Race& race, const RaceSettings& settings, const TestShapes::Shape
                   .n_threads = n_threads,
                   .run = p.run,
                   .run_apart = p.run_apart,
-                  .work = truth.n_triangles,
+                  .work = truth.n_faces,
                   .unit = "triangles",
                   .peers = std::move(others),
                   .clear = p.clear});

@@ -19,6 +19,8 @@ Race RaceHexModels(const RaceSettings& settings);
 /// Twice: every candidate on fresh memory, and on memory that the process kept.
 Race RaceTrianglesFresh(const RaceSettings& settings);
 Race RaceTrianglesKept(const RaceSettings& settings);
+Race RaceQuadsFresh(const RaceSettings& settings);
+Race RaceQuadsKept(const RaceSettings& settings);
 Race RacePipelinesFresh(const RaceSettings& settings);
 Race RacePipelinesKept(const RaceSettings& settings);
 Race RaceInterpolatory(const RaceSettings& settings);
@@ -34,6 +36,8 @@ inline constexpr RaceEntry kRaces[] = {
     {"hexes-models", &RaceHexModels},
     {"triangles-fresh", &RaceTrianglesFresh},
     {"triangles-kept", &RaceTrianglesKept},
+    {"quads-fresh", &RaceQuadsFresh},
+    {"quads-kept", &RaceQuadsKept},
     {"pipelines-fresh", &RacePipelinesFresh},
     {"pipelines-kept", &RacePipelinesKept},
     {"interpolatory", &RaceInterpolatory},

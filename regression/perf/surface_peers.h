@@ -19,7 +19,7 @@ namespace SolidSubdiv::Perf {
 
 /// Sums that tell whether two programs made the same points, in whatever order.
 struct PointSums {
-    double n_points = 0, n_triangles = 0;
+    double n_points = 0, n_faces = 0;
     std::array<double, 3> coordinates{}, squares{};
 
     void Add(double x, double y, double z) {
@@ -29,7 +29,7 @@ struct PointSums {
     }
     /// @throws std::runtime_error that names the program
     void RequireSame(const PointSums& other, const std::string& name) const {
-        bool is_same = n_points == other.n_points && n_triangles == other.n_triangles;
+        bool is_same = n_points == other.n_points && n_faces == other.n_faces;
         for (std::size_t c = 0; c < 3; ++c) {
             // Numbers are floats after three levels of sums: 1e-6 of their size holds them all. A mean size is at most
             // the root of the mean square.
@@ -37,14 +37,14 @@ struct PointSums {
             is_same = is_same && std::abs(coordinates[c] - other.coordinates[c]) <= 1e-6 * size &&
                       std::abs(squares[c] - other.squares[c]) <= 2e-6 * squares[c];
         }
-        if (!is_same) throw std::runtime_error(name + " has other points or triangles than its peers");
+        if (!is_same) throw std::runtime_error(name + " has other points or faces than its peers");
     }
 };
 
 /// Of packed points.
 template <class Real>
-PointSums SumsOf(std::span<const Real> points, double n_triangles) {
-    PointSums sums{.n_triangles = n_triangles};
+PointSums SumsOf(std::span<const Real> points, double n_faces) {
+    PointSums sums{.n_faces = n_faces};
     for (std::size_t i = 0; i < points.size(); i += 3) {
         sums.Add(static_cast<double>(points[i]), static_cast<double>(points[i + 1]),
                  static_cast<double>(points[i + 2]));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The race of surfaces: 50,000 triangles by three levels of Loop's scheme, beside OpenSubdiv.
+// The races of surfaces: 50,000 triangles by three levels of Loop's scheme, as many quadrilaterals by three of Catmull
+// and Clark's, beside OpenSubdiv.
 #include <optional>
 
 #include <solidsubdiv/far/primvar_refiner.h>
@@ -17,25 +18,37 @@ namespace {
 constexpr int kLevels = 3;
 using FloatTable = Far::StencilTableReal<float>;
 
+/// What is refined.
+struct Surface {
+    std::string note{};  ///< about it, for the report
+    Far::TopologyDescriptor mesh{};
+    std::span<const double> positions{};
+    Sdc::Split split{};
+    Sdc::Scheme scheme{};
+};
+
 /// Ours, as one object that races can fill and empty.
 struct Ours {
-    std::optional<Far::TopologyRefiner> refiner;
-    std::optional<FloatTable> table;
-    std::vector<float> values[2];
+    const Surface& surface;
+    std::optional<Far::TopologyRefiner> refiner{};
+    std::optional<FloatTable> table{};
+    std::vector<float> values[2]{};
 
-    void Create(const TestShapes::Shape& s) {
-        refiner.emplace(Far::TopologyRefiner::Create(Describe(s), Sdc::Split::TetOct));
-    }
+    void Create() { refiner.emplace(Far::TopologyRefiner::Create(surface.mesh, surface.split)); }
     void Refine(bool full) { refiner->RefineUniform({.max_level = kLevels, .full_topology_in_last_level = full}); }
     /// Refines positions level by level; the last are left in values[kLevels % 2].
-    void Interpolate(const TestShapes::Shape& s) {
-        const Far::PrimvarRefiner primvars(*refiner, Sdc::Loop{});
-        values[0].assign(s.positions.begin(), s.positions.end());
+    void Interpolate() {
+        const Far::PrimvarRefiner primvars(*refiner, surface.scheme);
+        values[0].assign(surface.positions.begin(), surface.positions.end());
         for (int l = 1; l <= kLevels; ++l) {
             std::vector<float>& fine = values[l % 2];
-            fine.resize(3 * static_cast<std::size_t>(refiner->level(l).n_vertices));
+            fine.resize(3 * static_cast<std::size_t>(refiner->n_vertices(l)));
             primvars.Interpolate<float>(l, values[(l + 1) % 2], fine, 3);
         }
+    }
+    Index NFaces() const {
+        return refiner->is_polyhedral() ? refiner->polyhedral_level(kLevels).n_boundary_faces
+                                        : refiner->level(kLevels).n_boundary_faces;
     }
 };
 
@@ -45,17 +58,14 @@ double BytesOf(const std::function<void()>& make) {
     return ResidentBytes() - before;
 }
 
-Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed) {
-    Race race(title);
-    const TestShapes::Shape shape = Torus(settings.is_quick);
-    Ours ours, ready;
-    ready.Create(shape);
+Race RaceSurface(const RaceSettings& settings, const std::string& kind, Freed freed, const Surface& surface) {
+    Race race(kind + (freed == Freed::GoesBack ? ", fresh memory" : ", kept memory"));
+    Ours ours{surface}, ready{surface};
+    ready.Create();
     ready.Refine(false);
-    const double faces = ready.refiner->level(kLevels).n_boundary_faces;
-    race.notes = {"Torus of " + std::to_string(shape.triangles.size() / 3) +
-                      " triangles, three in four vertices irregular; Loop, " + std::to_string(kLevels) +
-                      " levels: " + std::to_string(static_cast<Index>(faces)) + " triangles and " +
-                      std::to_string(ready.refiner->level(kLevels).n_vertices) +
+    const double faces = ready.NFaces();
+    race.notes = {surface.note + ", " + std::to_string(kLevels) + " levels: " + std::to_string(ready.NFaces()) +
+                      " faces and " + std::to_string(ready.refiner->n_vertices(kLevels)) +
                       " vertices in the last. Faces a second counts those of the last level alone.",
                   freed == Freed::GoesBack
                       ? "Every candidate works on fresh memory: what it frees goes back to the system."
@@ -79,7 +89,8 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
 
 #if SOLIDSUBDIV_HAS_OPENSUBDIV
     const char* const osd = "OpenSubdiv: ";
-    OpenSubdivSurface theirs(shape, kLevels), theirs_ready(shape, kLevels);
+    OpenSubdivSurface theirs(surface.mesh, surface.positions, kLevels),
+        theirs_ready(surface.mesh, surface.positions, kLevels);
     theirs.Create();
     theirs_ready.Create();
     theirs_ready.Refine(false);
@@ -115,7 +126,7 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
     race.notes.push_back("OpenSubdiv was not there.");
 #endif
 
-    const FloatTable cascaded = FloatTable::Create(*ready.refiner, Sdc::Loop{});
+    const FloatTable cascaded = FloatTable::Create(*ready.refiner, surface.scheme);
     Offset n_weights = 0, n_rows = 0;
     for (int l = 1; l <= kLevels; ++l) {
         n_weights += cascaded.level(l).n_weights();
@@ -123,7 +134,7 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
     }
     race.notes.push_back("Weights in ours: " + std::to_string(n_weights) + " cascaded in " + std::to_string(n_rows) +
                          " rows.");
-    ours.Create(shape);
+    ours.Create();
     for (int n_threads : settings.ThreadCounts()) {
         const auto add_ours = [&](const std::string& what, std::function<void()> run, bool counts_bytes = true) {
             const double bytes = counts_bytes ? BytesOf(run) : 0;
@@ -135,20 +146,20 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
                 bytes);
         };
         add_ours(
-            "create", [&] { ours.Create(shape); }, false);
+            "create", [&] { ours.Create(); }, false);
         add_ours("refine, minimal", [&] { ours.Refine(false); });
         add_ours("refine, full topology", [&] { ours.Refine(true); });
-        add_ours("stencils, cascaded", [&] { ours.table.emplace(FloatTable::Create(*ready.refiner, Sdc::Loop{})); });
+        add_ours("stencils, cascaded", [&] { ours.table.emplace(FloatTable::Create(*ready.refiner, surface.scheme)); });
         add_ours("stencils, composite", [&] {
             ours.table.emplace(
-                FloatTable::CreateComposite(*ready.refiner, Sdc::Loop{}, {{.level = kLevels, .vertices = {}}}));
+                FloatTable::CreateComposite(*ready.refiner, surface.scheme, {{.level = kLevels, .vertices = {}}}));
         });
         add_ours(
             "create + refine + interpolate",
             [&] {
-                ours.Create(shape);
+                ours.Create();
                 ours.Refine(false);
-                ours.Interpolate(shape);
+                ours.Interpolate();
             },
             false);
     }
@@ -158,7 +169,7 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
     theirs.Refine(false);
     theirs.Interpolate();
     ours.Refine(false);
-    ours.Interpolate(shape);
+    ours.Interpolate();
     SumsOf<float>(ours.values[kLevels % 2], faces).RequireSame(theirs.Sums(), "OpenSubdiv");
     clear();
     clear_theirs();
@@ -169,13 +180,27 @@ Race RaceTriangles(const RaceSettings& settings, const char* title, Freed freed)
     return race;
 }
 
+Race RaceTriangles(const RaceSettings& settings, Freed freed) {
+    const TestShapes::Shape shape = Torus(settings.is_quick);
+    return RaceSurface(settings, "triangles", freed,
+                       {"Torus of " + std::to_string(shape.triangles.size() / 3) +
+                            " triangles, three in four vertices irregular; Loop",
+                        Describe(shape), shape.positions, Sdc::Split::TetOct, Sdc::Loop{}});
+}
+
+Race RaceQuads(const RaceSettings& settings, Freed freed) {
+    const Io::Mesh mesh = QuadTorus(settings.is_quick);
+    return RaceSurface(settings, "quads", freed,
+                       {"Torus of " + std::to_string(mesh.topology.n_quads()) +
+                            " quadrilaterals, nearly half of the vertices irregular; Catmull-Clark",
+                        mesh.topology, mesh.positions, Sdc::Split::Polyhedral, Sdc::CatmullClark{}});
+}
+
 }  // namespace
 
-Race RaceTrianglesFresh(const RaceSettings& settings) {
-    return RaceTriangles(settings, "triangles, fresh memory", Freed::GoesBack);
-}
-Race RaceTrianglesKept(const RaceSettings& settings) {
-    return RaceTriangles(settings, "triangles, kept memory", Freed::IsKept);
-}
+Race RaceTrianglesFresh(const RaceSettings& settings) { return RaceTriangles(settings, Freed::GoesBack); }
+Race RaceTrianglesKept(const RaceSettings& settings) { return RaceTriangles(settings, Freed::IsKept); }
+Race RaceQuadsFresh(const RaceSettings& settings) { return RaceQuads(settings, Freed::GoesBack); }
+Race RaceQuadsKept(const RaceSettings& settings) { return RaceQuads(settings, Freed::IsKept); }
 
 }  // namespace SolidSubdiv::Perf

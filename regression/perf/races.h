@@ -16,6 +16,8 @@ struct RaceSettings {
 Race RaceTets(const RaceSettings& settings);
 Race RaceHexes(const RaceSettings& settings);
 Race RaceHexModels(const RaceSettings& settings);
+Race RaceHexesCatmarkFresh(const RaceSettings& settings);
+Race RaceHexesCatmarkKept(const RaceSettings& settings);
 /// Twice: every candidate on fresh memory, and on memory that the process kept.
 Race RaceTrianglesFresh(const RaceSettings& settings);
 Race RaceTrianglesKept(const RaceSettings& settings);
@@ -34,6 +36,8 @@ inline constexpr RaceEntry kRaces[] = {
     {"tets", &RaceTets},
     {"hexes", &RaceHexes},
     {"hexes-models", &RaceHexModels},
+    {"hexes-catmark-fresh", &RaceHexesCatmarkFresh},
+    {"hexes-catmark-kept", &RaceHexesCatmarkKept},
     {"triangles-fresh", &RaceTrianglesFresh},
     {"triangles-kept", &RaceTrianglesKept},
     {"quads-fresh", &RaceQuadsFresh},

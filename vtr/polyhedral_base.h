@@ -43,7 +43,8 @@ struct PolyhedralFindings {
     }
 };
 
-/// If findings are not usable the level has no more than they speak of: its faces. Cost: sorts of short rows.
+/// If findings are not usable the level has no more than they speak of: its faces. Cost: sorts of short rows;
+/// parallel, the same bits for any number of threads.
 PolyhedralLevel MakePolyhedralBaseLevel(const PolyhedralElements& elements, PolyhedralFindings& findings);
 
 }  // namespace SolidSubdiv::Vtr

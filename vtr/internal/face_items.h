@@ -4,12 +4,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
 #include <solidsubdiv/sdc/cells.h>
 #include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/polyhedral_base.h>
+#include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Vtr::Internal {
 
@@ -46,16 +48,36 @@ class FaceItems {
     /// Its vertices, as the element has them.
     void Copy(Offset i, std::vector<Index>& out) const {
         if (i < n_hex_items_) {
-            const Index* const vertices = in_.hexes.data() + i / Sdc::Hex::kFaces * Sdc::Hex::kVertices;
-            out.resize(4);
-            for (std::size_t k = 0; k < 4; ++k) out[k] = vertices[Sdc::Hex::faces[i % Sdc::Hex::kFaces][k]];
+            const auto side = Side(i);
+            out.assign(side.begin(), side.end());
         } else {
             const auto row = Row(i);
             out.assign(row.begin(), row.end());
         }
     }
+    /// Ascending; after three of a triangle, none.
+    std::array<Index, 4> LowestFour(Offset i) const {
+        std::array<Index, 4> lowest{0, 0, 0, kNoIndex};
+        if (i < n_hex_items_) {
+            lowest = Side(i);
+            SortFew(lowest);
+        } else if (const auto row = Row(i); row.size() == 4) {
+            std::copy(row.begin(), row.end(), lowest.begin());
+            SortFew(lowest);
+        } else {
+            std::partial_sort_copy(row.begin(), row.end(), lowest.begin(), lowest.end());
+        }
+        return lowest;
+    }
 
   private:
+    /// Of a hexahedron.
+    std::array<Index, 4> Side(Offset i) const {
+        const Index* const vertices = in_.hexes.data() + i / Sdc::Hex::kFaces * Sdc::Hex::kVertices;
+        std::array<Index, 4> side;
+        for (std::size_t k = 0; k < 4; ++k) side[k] = vertices[Sdc::Hex::faces[i % Sdc::Hex::kFaces][k]];
+        return side;
+    }
     /// @pre the item is no side of a hexahedron
     std::span<const Index> Row(Offset i) const {
         const auto row = [](std::span<const Offset> offsets, std::span<const Index> vertices, Offset at) {

@@ -10,7 +10,6 @@
 #include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/grouping.h>
 #include <solidsubdiv/vtr/internal/face_items.h>
-#include <solidsubdiv/vtr/unique_tuples.h>
 
 namespace SolidSubdiv::Vtr::Internal {
 
@@ -24,27 +23,16 @@ struct UniqueFaces {
     UniqueFaces(const FaceItems& lists, Index n_vertices) {
         constexpr Offset kGrain = 1024;
         const Offset n = lists.size();
-        // The lowest four vertices order all faces but large ones; of shorter lists the last is none.
         Array<std::array<Index, 4>> keys(static_cast<std::size_t>(n));
         Sdc::ParallelFor(n, kGrain, [&](Offset begin, Offset end) {
-            std::vector<Index> list;
-            for (Offset i = begin; i < end; ++i) {
-                lists.Copy(i, list);
-                if (list.size() == 4) {
-                    std::copy(list.begin(), list.end(), keys[i].begin());
-                    SortFew(keys[i]);
-                } else {
-                    const auto end_of_list =
-                        std::partial_sort_copy(list.begin(), list.end(), keys[i].begin(), keys[i].end());
-                    std::fill(end_of_list, keys[i].end(), kNoIndex);
-                }
-            }
+            for (Offset i = begin; i < end; ++i) keys[i] = lists.LowestFour(i);
         });
+        // Rows by lowest vertex: the next three, which tell all faces but large ones apart, and the item are kept side
+        // by side and sorted.
+        using Entry = std::array<Index, 4>;
         const auto visit = [&](auto&& add) {
             for (Offset i = 0; i < n; ++i) add(keys[i][0], i);
         };
-        // Rows by lowest vertex: the vertices after it and the item are kept side by side and sorted.
-        using Entry = std::array<Index, 4>;
         Array<Offset> rows = CountRows(n_vertices, visit);
         Array<Entry> entries(static_cast<std::size_t>(n));
         FillRows(rows, visit, [&](Offset place, Offset i) {

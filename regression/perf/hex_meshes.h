@@ -9,8 +9,6 @@
 #include <solidsubdiv/kit/io/mesh.h>
 #include <solidsubdiv/sdc/cells.h>
 
-#include "test_shapes.h"
-
 namespace SolidSubdiv::Perf {
 
 /// A cube of n^3 hexahedra; where n_layers is not 0, as many layers on each of its sides, the outermost a sphere. The

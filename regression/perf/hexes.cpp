@@ -51,7 +51,7 @@ void AddSolid(Race& race, const RaceSettings& settings, const SharedSolid& solid
                 bytes_of_refinement + bytes, solid->bytes_of_levels() + bytes);
         };
         add(
-            "level 0", [solid] { solid->Create(); }, solid->NCells(0), 0, solid->bytes_of_level_0());
+            "level 0", [solid] { solid->CreateAnother(); }, solid->NCells(0), 0, solid->bytes_of_level_0());
         add(
             "refine", [solid] { solid->Refine(); }, cells, bytes_of_refinement, solid->bytes_of_levels());
         add_tables("refine + stencils, float", Sdc::CatmullClarkSolid{}, float{});

@@ -34,6 +34,8 @@ class Solid {
     double NCells(int level) const { return static_cast<double>(refiner_->n_cells(level)); }
 
     void Create() { refiner_.emplace(Far::TopologyRefiner::Create(mesh_.topology, Sdc::Split::Polyhedral)); }
+    /// Level 0 once more, beside the one that is there.
+    void CreateAnother() { another_.emplace(Far::TopologyRefiner::Create(mesh_.topology, Sdc::Split::Polyhedral)); }
     void Refine() { refiner_->RefineUniform({.max_level = n_levels_}); }
     template <class Real>
     void MakeTable(const Sdc::Scheme& scheme) {
@@ -54,6 +56,7 @@ class Solid {
     /// Level 0 is left.
     void Clear() {
         refiner_->RefineUniform({.max_level = 0});
+        another_.reset();
         table_ = {};
         for (Array<float>& v : values_) v = {};
     }
@@ -71,7 +74,7 @@ class Solid {
     Io::Mesh mesh_;
     int n_levels_ = 0;
     double bytes_of_level_0_ = 0, bytes_of_levels_ = 0;
-    std::optional<Far::TopologyRefiner> refiner_;
+    std::optional<Far::TopologyRefiner> refiner_, another_;
     std::variant<std::monostate, Far::StencilTableReal<float>, Far::StencilTableReal<double>> table_;
     Array<float> values_[2];
 };

@@ -143,29 +143,87 @@ void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_l
         sum, destination, width);
 }
 
-template <class Real, class SumFunction>
-void InterpolateChildren(const Vtr::PolyhedralLevel&, const Internal::PolyhedralRows& of_level, const SumFunction& sum,
-                         const Real*, Real* destination, int width) {
-    const Internal::PolyhedralRows* const rows = &of_level;
-    InterpolateRows(
-        rows->n_children(),
-        [rows](Index v, auto& add) {
-            return rows->Visit(v, [&](Index i, double weight) { add(i, static_cast<Real>(weight)); });
-        },
-        [rows](Index v) { return rows->MaxLength(v); },
-        [rows](Index v, Index* indices, Real* weights, auto& scratch) {
-            return static_cast<int>(rows->Fill(v, indices, weights, scratch));
-        },
-        sum, destination, width);
+/// Values at the vertices of a level, then at the centroids of its faces, then of its cells; elements at distances of
+/// `stride`.
+template <class Real>
+Array<Real> WithCentroids(const Vtr::PolyhedralLevel& level, const Real* source, int width, int stride) {
+    const Offset first_face = level.n_vertices, first_cell = first_face + level.n_faces;
+    Array<Real> values(static_cast<std::size_t>((first_cell + level.n_cells()) * stride));
+    const auto at = [&](Offset i) { return values.data() + i * stride; };
+    Sdc::ParallelFor(level.n_vertices, kGrain, [&](Offset begin, Offset end) {
+        for (Offset v = begin; v < end; ++v) {
+            std::copy(source + v * width, source + (v + 1) * width, at(v));
+            std::fill(at(v) + width, at(v) + stride, Real{0});
+        }
+    });
+    const auto set_mean = [&](Offset i, std::span<const Index> vertices) {
+        Real* const mean = at(i);
+        std::fill(mean, mean + stride, Real{0});
+        for (Index v : vertices) {
+            for (int c = 0; c < stride; ++c) mean[c] += at(v)[c];
+        }
+        for (int c = 0; c < stride; ++c) mean[c] /= static_cast<Real>(vertices.size());
+    };
+    Sdc::ParallelFor(level.n_faces, kGrain, [&](Offset begin, Offset end) {
+        for (Offset f = begin; f < end; ++f) set_mean(first_face + f, level.FaceVertices(static_cast<Index>(f)));
+    });
+    Sdc::ParallelFor(level.n_cells(), kGrain, [&](Offset begin, Offset end) {
+        for (Offset c = begin; c < end; ++c) set_mean(first_cell + c, level.CellVertices(static_cast<Index>(c)));
+    });
+    return values;
 }
 
-template <class Real, class AnyLevel, class AnyRows>
-void InterpolateLevel(const AnyLevel& parent, const AnyRows& rows, const Real* source, Real* destination, int width) {
+/// Adds what makes a new point (centroid_rules.h) up from the numbers of WithCentroids.
+template <class Real, class AddFunction>
+struct ValueRow {
+    AddFunction& add;
+    Index first_face, first_cell;
+
+    void Add(Index v, double weight) { add(v, static_cast<Real>(weight)); }
+    void AddFace(Index f, double weight) { add(first_face + f, static_cast<Real>(weight)); }
+    void AddCell(Index c, double weight) { add(first_cell + c, static_cast<Real>(weight)); }
+};
+
+template <class Real, class SumFunction>
+void SumFromCentroids(const Internal::PolyhedralRows& rows, const SumFunction& sum_function, Real* destination,
+                      int width) {
+    const Internal::CentroidRules& rules = rows.rules();
+    const Vtr::PolyhedralLevel& level = rules.level();
+    const bool is_averaged = rules.rules().solid == Sdc::PolyhedralRule::Averaged;
+    Sdc::ParallelFor(rows.n_children(), kGrain, [&](Offset begin, Offset end) {
+        SumFunction sum = sum_function;
+        for (Offset i = begin; i < end; ++i) {
+            const Index child = static_cast<Index>(i);
+            sum(destination + i * width, [&]<class Add>(Add& add) {
+                ValueRow<Real, Add> row{add, level.n_vertices, level.n_vertices + level.n_faces};
+                // Averages over new cells take less among hexahedra than their centroids do.
+                if (is_averaged && rows.Visit(child, [&](Index v, double weight) { row.Add(v, weight); })) return true;
+                rules.Add(child, row);
+                return true;
+            });
+        }
+    });
+}
+
+template <class Real, class Scheme>
+void InterpolateLevel(const Level& parent, const Internal::Rows<Scheme>& rows, const Real* source, Real* destination,
+                      int width) {
     if (width == 3) {
         const Array<Real> padded = PadToFour(source, parent.n_vertices);
         InterpolateChildren(parent, rows, SumThree<Real>(padded), source, destination, width);
     } else {
         InterpolateChildren(parent, rows, Sum<Real>(source, width), source, destination, width);
+    }
+}
+
+template <class Real>
+void InterpolateLevel(const Vtr::PolyhedralLevel& parent, const Internal::PolyhedralRows& rows, const Real* source,
+                      Real* destination, int width) {
+    const Array<Real> values = WithCentroids(parent, source, width, width == 3 ? 4 : width);
+    if (width == 3) {
+        SumFromCentroids(rows, SumThree<Real>(values), destination, width);
+    } else {
+        SumFromCentroids(rows, Sum<Real>(values.data(), width), destination, width);
     }
 }
 

@@ -5,7 +5,8 @@
 //     std::vector<double> fine(3 * refiner.level(1).n_vertices);
 //     primvars.Interpolate<double>(1, coarse, fine, 3);
 //
-// Gives the same values as a cascaded StencilTable of doubles, bit for bit.
+// Gives the same values as a cascaded StencilTable of doubles: bit for bit under the tet/oct split, to round-off under
+// the polyhedral one, whose new points are summed from centroids.
 #pragma once
 
 #include <span>

@@ -175,6 +175,11 @@ std::array<SharpRules::Part, 2> SharpRules::VertexParts(Index v) const {
             ++n_fading;
         }
     });
+    if (!graph_.vertex_tags[v].in_face()) {  // on a curve in no surface: it goes on in both directions
+        for (Index e : graph_.vertex_edges[v]) {
+            for (int part : {0, 1}) add(part, e);
+        }
+    }
     parts[0].rule = Sdc::SharpRuleOf(mine, n_sharp[0]);
     parts[1].rule = Sdc::SharpRuleOf(my_child, n_sharp[1]);
     const bool is_smooth = parts[0].rule == Sdc::SharpRule::Smooth || parts[0].rule == Sdc::SharpRule::Dart;

@@ -166,6 +166,26 @@ TEST(Creases, KeepRowsThatSumToOneAndLevelsThatGoOn) {
     }
 }
 
+// Found by fuzzing: the vertex is on no surface whose smooth rule it could follow.
+TEST(Creases, ACornerOnACurveFadesIntoTheCurve) {
+    Shape curve;
+    curve.n_vertices = 3;
+    curve.edges = {0, 1, 1, 2};
+    curve.positions = {0, 0, 0, 1, 2, 0, 2, 0, 0};
+    const Tags tags{{}, {}, {1}, {0.25f}};
+    const std::vector<double> fading = Points(curve, tags, Sdc::Loop{}, 1), smooth = Points(curve, {}, Sdc::Loop{}, 1);
+    EXPECT_EQ(smooth[4], 1.5);
+    EXPECT_DOUBLE_EQ(fading[4], 0.25 * 2 + 0.75 * 1.5);
+    EXPECT_EQ(Points(curve, {{}, {}, {1}, {10.0f}}, Sdc::Loop{}, 1)[4], 2);
+    // The same under the other split.
+    Far::TopologyDescriptor d = Describe(curve);
+    d.corner_vertices = tags.vertices;
+    d.corner_sharpness = tags.vertex_sharpness;
+    auto refiner = Far::TopologyRefiner::Create(d, Sdc::Split::Polyhedral);
+    refiner.RefineUniform({.max_level = 1});
+    EXPECT_EQ(Apply(Far::StencilTable::Create(refiner, Sdc::CatmullClark{}), curve.positions), fading);
+}
+
 TEST(Creases, FadeByOneALevelOrByChaikin) {
     const Shape grid = Grid(2);  // the middle line has two edges: 1-4 and 4-7
     Tags tags = MiddleLine(2, 0);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include <solidsubdiv/sdc/parallel.h>
+
 namespace SolidSubdiv::Vtr::Internal {
 
 namespace {
@@ -19,23 +21,54 @@ void Permute(const Table& table, const std::vector<Index>& from, Index* to) {
     for (int i : table) *to++ = from[static_cast<std::size_t>(i)];
 }
 
+constexpr Offset kChunk = 1 << 14;
+
 }  // namespace
+
+std::vector<OddCorners> CountOddCorners(const Polyhedra& p) {
+    const Offset n_corners = static_cast<Offset>(p.ring_offsets.size()) - 1,
+                 n_chunks = (n_corners + kChunk - 1) / kChunk;
+    std::vector<OddCorners> before(static_cast<std::size_t>(n_chunks) + 1);
+    Sdc::ParallelFor(n_chunks, 1, [&](Offset begin, Offset end) {
+        for (Offset chunk = begin; chunk < end; ++chunk) {
+            OddCorners odd;
+            for (Offset i = chunk * kChunk; i < std::min(n_corners, (chunk + 1) * kChunk); ++i) {
+                const Offset degree = p.ring_offsets[i + 1] - p.ring_offsets[i];
+                if (degree != 3) odd.Add(degree);
+            }
+            before[chunk + 1] = odd;
+        }
+    });
+    for (std::size_t i = 1; i < before.size(); ++i) {
+        before[i].n += before[i - 1].n;
+        before[i].n_edges += before[i - 1].n_edges;
+    }
+    return before;
+}
 
 OddCells::OddCells(const PolyhedralLevel& parent) : rings_(parent.polyhedra.ring_offsets) {
     const Offset n_corners = static_cast<Offset>(parent.polyhedra.vertices.size());
-    n_hexes_ = Sdc::Hex::kVertices * parent.n_hexes;
+    const std::vector<OddCorners> before = CountOddCorners(parent.polyhedra);
+    const OddCorners all = before.back();
+    const Offset first_hex = Offset{Sdc::Hex::kVertices} * parent.n_hexes;
+    n_hexes_ = static_cast<Index>(first_hex + n_corners - all.n);
     children_.resize(static_cast<std::size_t>(n_corners));
-    for (Offset i = 0; i < n_corners; ++i) {
-        if (Degree(i) == 3) children_[i] = n_hexes_++;
-    }
-    Offset n_edges = 0;
-    for (Offset i = 0; i < n_corners; ++i) {
-        if (Degree(i) == 3) continue;
-        children_[i] = n_hexes_ + static_cast<Index>(edges_before_.size());
-        edges_before_.push_back(n_edges);
-        n_edges += Degree(i);
-    }
-    edges_before_.push_back(n_edges);
+    edges_before_.resize(static_cast<std::size_t>(all.n) + 1);
+    edges_before_.back() = all.n_edges;
+    Sdc::ParallelFor(static_cast<Offset>(before.size()) - 1, 1, [&](Offset begin, Offset end) {
+        for (Offset chunk = begin; chunk < end; ++chunk) {
+            OddCorners odd = before[chunk];
+            for (Offset i = chunk * kChunk; i < std::min(n_corners, (chunk + 1) * kChunk); ++i) {
+                if (Degree(i) == 3) {
+                    children_[i] = static_cast<Index>(first_hex + i - odd.n);
+                } else {
+                    children_[i] = static_cast<Index>(n_hexes_ + odd.n);
+                    edges_before_[odd.n] = odd.n_edges;
+                    odd.Add(Degree(i));
+                }
+            }
+        }
+    });
 }
 
 void OddCells::MakeRoom(Polyhedra& child, bool full) const {

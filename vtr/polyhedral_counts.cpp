@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <solidsubdiv/vtr/internal/odd_cells.h>
+
 namespace SolidSubdiv::Vtr {
 
 Offset PolyhedralCounts::Largest() const {
@@ -24,12 +26,9 @@ PolyhedralCounts CountsOf(const PolyhedralLevel& level) {
     n.n_poly_edges = static_cast<Offset>(p.edges.size());
     n.n_poly_faces = static_cast<Offset>(p.faces.size());
     n.n_boundary_corners = static_cast<Offset>(level.boundary_vertices.size());
-    for (std::size_t i = 0; i + 1 < p.ring_offsets.size(); ++i) {
-        const Offset degree = p.ring_offsets[i + 1] - p.ring_offsets[i];
-        if (degree == 3) continue;
-        ++n.n_odd_corners;
-        n.n_odd_edges += degree;
-    }
+    const Internal::OddCorners odd = Internal::CountOddCorners(p).back();
+    n.n_odd_corners = odd.n;
+    n.n_odd_edges = odd.n_edges;
     return n;
 }
 

@@ -310,8 +310,20 @@ class Splitter {
             const Offset ring = p.ring_offsets[at];
             const int n = odd_.Degree(at);
             const Index v = vertices[corner];
-            const auto edge = [&](int j) { return cell_edges[static_cast<std::size_t>(p.ring_edges[ring + j % n])]; };
+            const auto edge = [&](int j) { return cell_edges[static_cast<std::size_t>(p.ring_edges[ring + j])]; };
             const auto face = [&](int j) { return cell_faces[static_cast<std::size_t>(p.ring_faces[ring + j])]; };
+            if (n == 3 && !full) {  // most corners: what OddCells::Put would write
+                const std::array<Index, 8> hex{v,
+                                               EdgePoint(edge(0)),
+                                               FacePoint(face(2)),
+                                               EdgePoint(edge(2)),
+                                               EdgePoint(edge(1)),
+                                               FacePoint(face(0)),
+                                               CellPoint(c),
+                                               FacePoint(face(1))};
+                std::copy(hex.begin(), hex.end(), child_.hex_vertices.begin() + 8 * std::ptrdiff_t{odd_.Child(at)});
+                continue;
+            }
             cell.Start(n);
             cell.vertices[0] = v;
             cell.vertices[cell.Centre()] = CellPoint(c);
@@ -321,7 +333,7 @@ class Splitter {
                 if (!full) continue;
                 cell.edges[cell.Half(j)] = HalfEdge(edge(j), v);
                 cell.edges[cell.OnFace(j, 0)] = FaceEdge(face(j), edge(j));
-                cell.edges[cell.OnFace(j, 1)] = FaceEdge(face(j), edge(j + 1));
+                cell.edges[cell.OnFace(j, 1)] = FaceEdge(face(j), edge(j + 1 < n ? j + 1 : 0));
                 cell.edges[cell.Inner(j)] = CellEdge(c, p.ring_faces[ring + j]);
                 cell.faces[cell.OuterFace(j)] = CornerOfFace(face(j), v);
                 cell.faces[cell.InnerFace(j)] = InnerFaceNumber(c, p.ring_edges[ring + j]);

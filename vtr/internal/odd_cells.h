@@ -38,6 +38,17 @@ class OddCell {
     int n_ = 0;
 };
 
+/// Corners of cells other than hexahedra where other than three edges meet.
+struct OddCorners {
+    Offset n = 0, n_edges = 0;  ///< and the sum of their numbers of edges
+    void Add(Offset degree) {
+        ++n;
+        n_edges += degree;
+    }
+};
+/// Those before each chunk of corners; the last: all of them. @pre the level is full
+std::vector<OddCorners> CountOddCorners(const Polyhedra& polyhedra);
+
 /// Numbers the children of all cells but hexahedra, and writes them: hexahedra where three edges meet.
 class OddCells {
   public:
@@ -56,9 +67,9 @@ class OddCells {
 
   private:
     const Array<Offset>& rings_;
-    Index n_hexes_;                     // of the child
-    std::vector<Index> children_;       // of each corner
-    std::vector<Offset> edges_before_;  // of each child that is no hexahedron: the sum of the degrees before it
+    Index n_hexes_;               // of the child
+    Array<Index> children_;       // of each corner
+    Array<Offset> edges_before_;  // of each child that is no hexahedron: the sum of the degrees before it
 };
 
 }  // namespace SolidSubdiv::Vtr::Internal

@@ -143,10 +143,11 @@ void InterpolateChildren(const Level& parent, const Internal::Rows<Scheme>& of_l
         sum, destination, width);
 }
 
-/// Values at the vertices of a level, then at the centroids of its faces, then of its cells; elements at distances of
-/// `stride`.
-template <class Real>
-Array<Real> WithCentroids(const Vtr::PolyhedralLevel& level, const Real* source, int width, int stride) {
+/// Values at the vertices of a level, then at the centroids of its faces, then of its cells: elements of `width`
+/// numbers, or of kPadded where that is not 0, the last of them 0.
+template <int kPadded, class Real>
+Array<Real> WithCentroids(const Vtr::PolyhedralLevel& level, const Real* source, int width) {
+    const int stride = kPadded > 0 ? kPadded : width;
     const Offset first_face = level.n_vertices, first_cell = first_face + level.n_faces;
     Array<Real> values(static_cast<std::size_t>((first_cell + level.n_cells()) * stride));
     const auto at = [&](Offset i) { return values.data() + i * stride; };
@@ -158,11 +159,12 @@ Array<Real> WithCentroids(const Vtr::PolyhedralLevel& level, const Real* source,
     });
     const auto set_mean = [&](Offset i, std::span<const Index> vertices) {
         Real* const mean = at(i);
-        std::fill(mean, mean + stride, Real{0});
-        for (Index v : vertices) {
-            for (int c = 0; c < stride; ++c) mean[c] += at(v)[c];
+        const Real share = Real{1} / static_cast<Real>(vertices.size());
+        for (int c = 0; c < stride; ++c) mean[c] = share * at(vertices[0])[c];
+        for (Index v : vertices.subspan(1)) {
+            const Real* const from = at(v);
+            for (int c = 0; c < stride; ++c) mean[c] += share * from[c];
         }
-        for (int c = 0; c < stride; ++c) mean[c] /= static_cast<Real>(vertices.size());
     };
     Sdc::ParallelFor(level.n_faces, kGrain, [&](Offset begin, Offset end) {
         for (Offset f = begin; f < end; ++f) set_mean(first_face + f, level.FaceVertices(static_cast<Index>(f)));
@@ -219,10 +221,11 @@ void InterpolateLevel(const Level& parent, const Internal::Rows<Scheme>& rows, c
 template <class Real>
 void InterpolateLevel(const Vtr::PolyhedralLevel& parent, const Internal::PolyhedralRows& rows, const Real* source,
                       Real* destination, int width) {
-    const Array<Real> values = WithCentroids(parent, source, width, width == 3 ? 4 : width);
     if (width == 3) {
+        const Array<Real> values = WithCentroids<4>(parent, source, width);
         SumFromCentroids(rows, SumThree<Real>(values), destination, width);
     } else {
+        const Array<Real> values = WithCentroids<0>(parent, source, width);
         SumFromCentroids(rows, Sum<Real>(values.data(), width), destination, width);
     }
 }

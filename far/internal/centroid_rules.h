@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include <solidsubdiv/far/internal/cell_averages.h>
@@ -23,6 +24,8 @@ class CentroidRules {
                   Sdc::CreasingMethod creasing)
         : level_(parent), graph_(parent), sharp_(graph_, sharpness, creasing), rules_(rules) {
         assert(parent.is_full);
+        for (int n = 1; n < kFew; ++n)
+            edge_weights_[static_cast<std::size_t>(n)] = Sdc::PolyhedralRules::SolidEdgeOf(n);
     }
 
     const Vtr::PolyhedralLevel& level() const { return level_; }
@@ -101,13 +104,18 @@ class CentroidRules {
         const Vtr::Rule rule = level_.edge_tags[e].rule();
         if (rules_.is_linear() || rule == Vtr::Rule::Curve) return AddMiddle(ends, 1, row);
         if (rule == Vtr::Rule::Solid) {
-            int n = 0;
-            for (Index f : level_.edge_faces[e]) n += level_.NCells(f) == 2;
+            const auto faces = level_.edge_faces[e];
+            const bool has_sheets = level_.edge_tags[e].non_manifold();
+            int n = static_cast<int>(faces.size());
+            if (has_sheets) {
+                n = static_cast<int>(
+                    std::count_if(faces.begin(), faces.end(), [&](Index f) { return level_.NCells(f) == 2; }));
+            }
             if (rules_.solid == Sdc::PolyhedralRule::Averaged) return AddAveragedEdge(e, 0.25 / n, row);
-            const auto w = Sdc::PolyhedralRules::SolidEdgeOf(n);
+            const auto w = n < kFew ? edge_weights_[static_cast<std::size_t>(n)] : Sdc::PolyhedralRules::SolidEdgeOf(n);
             AddMiddle(ends, w.middle, row);
-            for (Index f : level_.edge_faces[e]) {
-                if (level_.NCells(f) != 2) continue;
+            for (Index f : faces) {
+                if (has_sheets && level_.NCells(f) != 2) continue;
                 row.AddFace(f, w.face);
                 // Each cell at the edge has two faces there.
                 for (Index c : level_.FaceCells(f)) row.AddCell(c, w.cell / 2);
@@ -241,6 +249,8 @@ class CentroidRules {
     const Vtr::EdgeGraph graph_;
     const SharpRules sharp_;
     const Sdc::PolyhedralRules rules_;
+    static constexpr int kFew = 16;
+    std::array<Sdc::PolyhedralRules::SolidEdge, kFew> edge_weights_{};  // by the number of faces: divisions take long
 };
 
 }  // namespace SolidSubdiv::Far::Internal

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of Catmull-Clark solids, whose lattices are made here.
+// Pictures of solids of any cells, whose lattices are made here.
 #include "catmull_clark_pictures.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include <solidsubdiv/far/primvar_refiner.h>
 #include <solidsubdiv/kit/picture/cut.h>
 #include <solidsubdiv/kit/picture/panels.h>
+#include <solidsubdiv/kit/picture/slice.h>
 
 namespace SolidSubdiv::Picture {
 
@@ -78,7 +81,35 @@ Io::Mesh MixedLattice() {
     return lattice.mesh();
 }
 
-/// Levels 0 to n of a solid of any cells.
+/// Six layers of three hexahedra around an edge along x, with a point datum: 1 on the edge, 0 elsewhere.
+Io::Mesh ExtrudedSpike() {
+    constexpr int kCells = 3, kLayers = 6, kRing = 2 * kCells;
+    Io::Mesh mesh;
+    std::vector<double> spike;
+    for (int layer = 0; layer <= kLayers; ++layer) {
+        mesh.positions.insert(mesh.positions.end(), {1.0 * layer, 0.0, 0.0});
+        spike.push_back(1);
+        for (int i = 0; i < kRing; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kRing, radius = i % 2 == 0 ? 1.2 : 1.5;
+            mesh.positions.insert(mesh.positions.end(),
+                                  {1.0 * layer, radius * std::cos(angle), radius * std::sin(angle)});
+            spike.push_back(0);
+        }
+    }
+    for (int layer = 0; layer < kLayers; ++layer) {
+        for (int i = 0; i < kCells; ++i) {
+            for (int at : {layer * (kRing + 1), (layer + 1) * (kRing + 1)}) {
+                mesh.topology.hexes.insert(mesh.topology.hexes.end(),
+                                           {at, at + 1 + 2 * i, at + 2 + 2 * i, at + 1 + (2 * i + 2) % kRing});
+            }
+        }
+    }
+    mesh.topology.n_vertices = static_cast<Index>(spike.size());
+    mesh.point_data = {{"spike", 1, spike}};
+    return mesh;
+}
+
+/// Levels 0 to n of a solid of any cells, with their point data.
 std::vector<Io::Mesh> Levels(const Io::Mesh& control, const Sdc::Scheme& scheme, int n) {
     auto refiner = Far::TopologyRefiner::Create(control.topology, Sdc::Split::Polyhedral);
     refiner.RefineUniform({.max_level = n});
@@ -96,6 +127,12 @@ std::vector<Io::Mesh> Levels(const Io::Mesh& control, const Sdc::Scheme& scheme,
         t.polyhedron_vertices.assign(p.face_vertices.begin(), p.face_vertices.end());
         mesh.positions.resize(3 * static_cast<std::size_t>(level.n_vertices));
         primvars.Interpolate<double>(l, levels.back().positions, mesh.positions, 3);
+        mesh.point_data = control.point_data;
+        for (std::size_t i = 0; i < mesh.point_data.size(); ++i) {
+            Io::Attribute& fine = mesh.point_data[i];
+            fine.values.resize(static_cast<std::size_t>(fine.width) * static_cast<std::size_t>(level.n_vertices));
+            primvars.Interpolate<double>(l, levels.back().point_data[i].values, fine.values, fine.width);
+        }
         levels.push_back(std::move(mesh));
     }
     return levels;
@@ -149,6 +186,30 @@ Image CatmullClarkSolid() {
         panels.push_back({&scenes[i], i < levels.size() ? name : name + ", cut", {}});
     }
     return RenderPanels(panels, view, kPanel, {.columns = 3});
+}
+
+Image SpikeAlongEdge() {
+    constexpr RenderOptions kPanel{.width = 480, .height = 240, .ground_shadow = false};
+    const Io::Mesh control = ExtrudedSpike();
+    const std::pair<Sdc::Scheme, const char*> schemes[] = {{Sdc::CatmullClarkSolid{}, "catmull-clark-solid"},
+                                                           {Sdc::Mlca{}, "mlca"}};
+    const ColorBar bar{.low = 0, .high = 0.5};
+    std::vector<Scene> scenes(2);
+    std::vector<ScenePanel> panels;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const Io::Mesh fine = Levels(control, schemes[i].first, 4).back();
+        const SolidSlice slice = SliceSolid(fine, {{0, 0, 1e-4}, {0, 0, 1}}, fine.point_data[0].values);
+        scenes[i].Add(Surface{.positions = slice.positions, .triangles = slice.skin});
+        scenes[i].Add(Surface{.positions = slice.positions,
+                              .triangles = slice.cap,
+                              .material = {.gloss = 0},
+                              .values = slice.values,
+                              .map = bar.map,
+                              .low = bar.low,
+                              .high = bar.high});
+        panels.push_back({&scenes[i], schemes[i].second, bar});
+    }
+    return RenderPanels(panels, View{.azimuth = 12, .elevation = 16}, kPanel);
 }
 
 Image CatmullClarkFeatures() {

@@ -190,6 +190,7 @@ int main(int n_arguments, char** arguments) {
         const std::filesystem::path out = arguments[2];
         WritePng(out / "catmull_clark_solid.png", CatmullClarkSolid());
         WritePng(out / "catmull_clark_features.png", CatmullClarkFeatures());
+        WritePng(out / "mlca.png", SpikeAlongEdge());
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));
     } catch (const std::exception& error) {

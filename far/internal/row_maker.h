@@ -107,10 +107,12 @@ class RowMaker {
 
     template <class ChunkFunction>
     void Reserve(ChunkFunction&& chunk) {
-        constexpr Offset kStep = 101;  // one row in so many; prime, so that it follows no pattern of the mesh
+        constexpr Offset kStep = 101;  // one row in so many
         std::size_t n_weights = 0;
         Offset n_rows = 0;
-        for (Offset i = 0; i < n_; i += kStep, ++n_rows) {
+        for (Offset first = 0; first < n_; first += kStep, ++n_rows) {
+            // Which of them changes: a fixed step may be the width of a block.
+            const Offset i = std::min(first + n_rows * n_rows % kStep, n_ - 1);
             chunk(i, i + 1, workers_[0].worker, parts_[0]);
             n_weights += parts_[0].indices.size();
         }

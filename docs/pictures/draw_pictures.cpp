@@ -179,6 +179,34 @@ Image InterpolatoryTensions(const std::filesystem::path& shapes) {
     return Arrange(panels, {.columns = 3});
 }
 
+/// n tets around an edge, sliced across its middle, under two schemes.
+Image TetsAroundEdge(int n) {
+    Io::Mesh control;
+    control.positions = {0, 0, -1.3, 0, 0, 1.3};
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * i / n;
+        control.positions.insert(control.positions.end(), {std::cos(angle), std::sin(angle), 0});
+        control.topology.tets.insert(control.topology.tets.end(), {0, 1, 2 + i, 2 + (i + 1) % n});
+    }
+    control.topology.n_vertices = n + 2;
+    const std::pair<Sdc::Scheme, const char*> schemes[] = {{Sdc::BoxSpline{}, "box-spline"},
+                                                           {Sdc::SmoothTet{}, "smooth-tet"}};
+    std::vector<Scene> scenes(2);
+    std::vector<ScenePanel> panels;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const Io::Mesh fine = Refined(control, schemes[i].first, 4);
+        const SolidSlice slice = SliceSolid(fine, {{0, 0, 1e-3}, {0, 0, 1}});
+        const std::vector<Color> colors = slice.CapColorsByKind();
+        scenes[i].Add(Surface{.positions = slice.positions, .triangles = slice.skin});
+        scenes[i].Add(Surface{
+            .positions = slice.positions, .triangles = slice.cap, .material = {.gloss = 0}, .triangle_colors = colors});
+        scenes[i].Add(Lines{.positions = slice.positions, .edges = slice.cap_edges, .width = 1});
+        panels.push_back({&scenes[i], schemes[i].second, {}});
+    }
+    return RenderPanels(panels, View{.azimuth = 0, .elevation = 12},
+                        {.width = 420, .height = 400, .ground_shadow = false});
+}
+
 }  // namespace
 
 int main(int n_arguments, char** arguments) {
@@ -191,6 +219,7 @@ int main(int n_arguments, char** arguments) {
         WritePng(out / "catmull_clark_solid.png", CatmullClarkSolid());
         WritePng(out / "catmull_clark_features.png", CatmullClarkFeatures());
         WritePng(out / "mlca.png", SpikeAlongEdge());
+        WritePng(out / "smooth_tet.png", TetsAroundEdge(5));
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));
     } catch (const std::exception& error) {

@@ -185,6 +185,11 @@ void AddFindings(const TopologyDescriptor& d, const Vtr::PolyhedralLevel& level,
                     "the elements on the two sides of face " + List(level.FaceVertices(f)) +
                         " are oriented against each other");
     }
+    for (Index e : findings.flipped_edges) {
+        defects.Add(
+            DefectCode::InvertedCell, e, 0,
+            "the faces on the two sides of edge " + List(level.EdgeVertices(e)) + " are oriented against each other");
+    }
     AddManifoldDefects(Vtr::EdgeGraph(level), defects);
 }
 

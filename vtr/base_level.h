@@ -27,7 +27,7 @@ struct BaseFindings {
     std::vector<Index> duplicate_edges;
     std::vector<Index> coincident_triangles;  ///< triangles on a face of a cell: tags
     std::vector<Index> coincident_edges;      ///< edges on an edge of a cell or triangle: tags
-    std::vector<Index> flipped_faces;  ///< inner faces that both cells, or surface edges that both faces, see alike
+    std::vector<Index> flipped_faces;         ///< inner faces that both cells see alike
 
     bool IsUsable() const {
         return faces_in_three_cells.empty() && duplicate_triangles.empty() && duplicate_edges.empty();

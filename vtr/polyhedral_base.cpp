@@ -302,7 +302,7 @@ class Builder {
             for (std::size_t k = 0; k < v.size(); ++k) {
                 const std::uint8_t way = level_.EdgeVertices(e[k])[0] == v[k] ? 1 : 2;
                 if ((seen[e[k]] & way) != 0 && level_.edge_faces.Count(e[k]) == 2) {
-                    findings_.flipped_faces.push_back(f);
+                    findings_.flipped_edges.push_back(e[k]);
                 }
                 seen[e[k]] |= way;
             }

@@ -35,7 +35,8 @@ struct PolyhedralFindings {
     std::vector<Index> duplicate_edges;
     std::vector<Index> coincident_polygons;  ///< polygons on a face of a cell: tags
     std::vector<Index> coincident_edges;     ///< edges on an edge of a cell or polygon: tags
-    std::vector<Index> flipped_faces;  ///< inner faces that both cells, or surface edges that both polygons, see alike
+    std::vector<Index> flipped_faces;        ///< inner faces that both cells see alike
+    std::vector<Index> flipped_edges;        ///< edges of surfaces that both polygons see alike
 
     bool IsUsable() const {
         return open_cells.empty() && duplicate_cells.empty() && faces_in_three_cells.empty() && twisted_faces.empty() &&

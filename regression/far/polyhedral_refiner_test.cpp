@@ -102,6 +102,18 @@ TEST(PolyhedralRefiner, RefusesSizesThatDoNotFitBeforeAnyWork) {
     EXPECT_EQ(refiner.max_level(), 0);
 }
 
+TEST(PolyhedralRefiner, SurfacesOrientedAgainstEachOtherAreNamedByTheirEdge) {
+    const std::vector<Index> alike{0, 1, 4, 3, 1, 2, 5, 4}, against{0, 1, 4, 3, 1, 4, 5, 2};
+    TopologyDescriptor d{.n_vertices = 6};
+    d.quads = alike;
+    EXPECT_TRUE(TopologyRefiner::Create(d, Sdc::Split::Polyhedral).defects().empty());
+    d.quads = against;
+    const auto defects = TopologyRefiner::Create(d, Sdc::Split::Polyhedral).defects();
+    ASSERT_EQ(defects.size(), 1U);
+    EXPECT_EQ(defects[0].code, Far::DefectCode::InvertedCell);
+    EXPECT_EQ(defects[0].text, "the faces on the two sides of edge (1 4) are oriented against each other");
+}
+
 TEST(PolyhedralRefiner, ValidateListsDefectsOfAnyCells) {
     const std::vector<Index> hexes{0, 1, 2, 3, 4, 5, 6, 7, 4, 5, 6, 7, 8, 9, 10, 11};
     std::vector<Index> turned = hexes;

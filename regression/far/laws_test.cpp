@@ -258,18 +258,19 @@ TEST(LawsTest, SchemesWithoutDiagonalsDoNotDependOnThem) {
     }
 }
 
+/// Level 3 of a regular tet whose vertices are given in another order.
+std::vector<std::array<double, 3>> PointsOfTurnedTet(const std::array<Index, 4>& order, const Sdc::Scheme& scheme) {
+    const std::vector<double> regular{1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};
+    Shape tet = TestShapes::SingleTet();
+    for (int i = 0; i < 4; ++i) std::copy_n(regular.begin() + 3 * order[i], 3, tet.positions.begin() + 3 * i);
+    return SortedPoints(Apply(Far::StencilTable::Create(Refined(tet, 3), scheme), tet.positions));
+}
+
 TEST(LawsTest, SchemesWithoutDiagonalsHaveAll24SymmetriesOfTheTetrahedron) {
     Sdc::BoxSpline averaged;
     averaged.diagonals = Sdc::Diagonals::Averaged;
     for (const Sdc::Scheme& scheme : {Sdc::Scheme(averaged), Sdc::Scheme(Sdc::SmoothTet{})}) {
-        Shape tet = TestShapes::SingleTet();
-        tet.positions = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};  // regular
-        const auto points = [&](const std::array<Index, 4>& order) {
-            Shape s = tet;
-            for (int i = 0; i < 4; ++i)
-                std::copy_n(tet.positions.begin() + 3 * order[i], 3, s.positions.begin() + 3 * i);
-            return SortedPoints(Apply(Far::StencilTable::Create(Refined(s, 3), scheme), s.positions));
-        };
+        const auto points = [&](const std::array<Index, 4>& order) { return PointsOfTurnedTet(order, scheme); };
         std::array<Index, 4> order{0, 1, 2, 3};
         const auto expected = points(order);
         int n = 0;
@@ -286,17 +287,10 @@ TEST(LawsTest, SchemesWithoutDiagonalsHaveAll24SymmetriesOfTheTetrahedron) {
 
 // A turn or reflection of a tet that keeps the two edges of its diagonal, or swaps them, keeps the refined points.
 TEST(LawsTest, SymmetriesThatKeepTheDiagonalKeepThePoints) {
-    Shape tet = TestShapes::SingleTet();
-    tet.positions = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};  // regular
     for (const auto& [name, scheme] : AllSchemes()) {
         if (!IsSolid(scheme)) continue;
         SCOPED_TRACE(name);
-        const auto points = [&, &s = scheme](const std::array<Index, 4>& order) {
-            Shape turned = tet;
-            for (int i = 0; i < 4; ++i)
-                std::copy_n(tet.positions.begin() + 3 * order[i], 3, turned.positions.begin() + 3 * i);
-            return SortedPoints(Apply(Far::StencilTable::Create(Refined(turned, 3), s), turned.positions));
-        };
+        const auto points = [&s = scheme](const std::array<Index, 4>& order) { return PointsOfTurnedTet(order, s); };
         std::array<Index, 4> order{0, 1, 2, 3};
         const auto expected = points(order);
         int n_kept = 0, n_others = 0;

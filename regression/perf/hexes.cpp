@@ -66,7 +66,7 @@ void AddSolid(Race& race, const RaceSettings& settings, const SharedSolid& solid
 /// A mesh of the local collection, which the repository may not carry.
 std::filesystem::path LocalMesh(const char* name) {
     const char* const given = std::getenv("SOLIDSUBDIV_DATA");
-    return std::filesystem::path(given ? given : SOLIDSUBDIV_PERF_SOURCE "/../../../shared/data/local") / name;
+    return std::filesystem::path(given ? given : SOLIDSUBDIV_DATA) / name;
 }
 
 }  // namespace

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limit positions of vertices as rows over the vertices of the same level.
+// Limits of a scheme as rows over the vertices of a level: at its vertices, or at any places, with derivatives.
 //
 //     refiner.RefineUniform({.max_level = 2, .full_topology_in_last_level = true});
 //     auto limit = Far::LimitStencilTable::Create(refiner, Sdc::BoxSpline{}, {.level = 2});
 //
-// Inside solids of tets and octahedra: 2/5, 1/20, 1/30 where the lattice is regular (chang2002boxspline; rules.md
-// section 2), elsewhere the left eigenvector of the local matrix. Boundary: Loop's limit; creases (1, 4, 1)/6; corners
-// stay. Solids and surfaces of other cells: tensor products of (1, 4, 1)/6 where the mesh is regular, elsewhere the
-// left eigenvector of the matrix one level on. Places between vertices and derivatives are not here yet.
+//     const std::vector<Far::Place> places{{.element = 7, .at = {.1, .2, .3}}};
+//     auto samples = Far::LimitStencilTable::Create(refiner, Sdc::BoxSpline{}, places, {.level = 0, .order = 1});
+//     samples.rows();                // points
+//     samples.DerivativeRows(0);     // d point / du
+//
+// Regular places in closed form: the quintic box spline in tets and octahedra (chang2002boxspline; rules.md section 2),
+// tricubic and bicubic B-splines, Loop's quartic. Elsewhere the neighbourhood is refined towards the place until it is
+// regular; what never becomes so (an extraordinary vertex, a point on an extraordinary edge) from eigenvectors of the
+// matrix that repeats there. docs/limits.md says how.
 #pragma once
 
 #include <vector>
 
+#include <solidsubdiv/far/place.h>
 #include <solidsubdiv/far/stencil_table.h>
 
 namespace SolidSubdiv::Far {
@@ -20,14 +26,47 @@ struct LimitStencilTableOptions {
     int level = -1;  ///< whose vertices; -1: the last. It must have full topology.
 };
 
+struct LimitPlacesOptions {
+    int level = 0;  ///< whose elements the places are in; it must have full topology
+    Elements elements = Elements::Cells;
+    int order = 0;  ///< of derivatives: 0 none, 1 the first, 2 the second as well (at regular places only)
+    Progress progress{};
+
+    /// @throws InvalidInput
+    void Validate() const;
+};
+
 class LimitStencilTable {
   public:
     /// @throws InvalidInput if the level has no full topology or the scheme can't refine the mesh
     static LimitStencilTable Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                     const LimitStencilTableOptions& options = {});
 
-    /// Row v: the limit of vertex v. Columns: the vertices of the level.
+    /// Limits at places, and their derivatives by the places' coordinates, u first (of boundary faces u, v), then uu,
+    /// uv, (uw,) vv (, vw, ww). On elements that meet, values agree, derivatives only as far as coordinates do.
+    /// Boundary faces are taken as surfaces of their own.
+    /// @throws InvalidInput as CheckPlaces, and as the other Create
+    /// Cost: products of rows of some tens of weights, one a level until the place is regular; the same bits for any
+    /// number of threads.
+    static LimitStencilTable Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                    std::span<const Place> places, const LimitPlacesOptions& options);
+
+    /// Row v: the limit of vertex v, or of place v. Columns: the vertices of the level.
     const StencilRows<double>& rows() const { return rows_; }
+
+    /// Derivatives in the table; 0 for vertices.
+    int n_derivatives() const { return static_cast<int>(derivatives_.size()); }
+    /// Weights of derivative k, one for each of rows(): the same vertices.
+    std::span<const double> DerivativeWeights(int k) const { return derivatives_[static_cast<std::size_t>(k)]; }
+    /// The same as rows of their own.
+    StencilRows<double> DerivativeRows(int k) const;
+
+    /// Places with no limit (their row is empty), or without the derivatives asked for (weights of 0), ascending:
+    /// NoLimit, NoDerivative; `measure` is the order that is missing.
+    const std::vector<Defect>& defects() const { return defects_; }
+
+    /// Bytes of all rows.
+    Offset Bytes() const;
 
     /// Vertices without a row: powers of their local matrix do not settle, or creases there have yet to fade (refine as
     /// often as the sharpest of them says).
@@ -35,7 +74,9 @@ class LimitStencilTable {
 
   private:
     StencilRows<double> rows_;
+    std::vector<Array<double>> derivatives_;
     std::vector<Index> without_limit_;
+    std::vector<Defect> defects_;
 };
 
 }  // namespace SolidSubdiv::Far

@@ -67,7 +67,9 @@ enum class DefectCode {
     NonManifoldVertex,  ///< a vertex around which the complex is neither a ball, a half ball nor a surface or curve
     IsolatedVertex,     ///< a vertex in no element
     CoincidentElement,  ///< a lower-dimensional element on a part of a higher one: a tag
-    UnusedSharpness     ///< a crease that is no edge of a surface, and is ignored
+    UnusedSharpness,    ///< a crease that is no edge of a surface, and is ignored
+    NoLimit,            ///< a place that a scheme gives no limit
+    NoDerivative        ///< a place where the limit has no derivative by the place's coordinates
 };
 
 /// One imperfection: what, where, how much. `element` counts within the kind that the code speaks of.

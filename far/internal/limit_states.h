@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits of places by topology: states are pockets met so far, each with its closed form or with the pockets of its
+// children and the rows that lead to them.
+//
+// Since rules are the same at every level, few different pockets are met however often a place is refined: around an
+// extraordinary vertex, edge or face a pocket soon is its own child. What is found out about a state is kept, so that
+// the second place in it costs a few products of short rows.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <shared_mutex>
+#include <unordered_map>
+
+#include <solidsubdiv/far/internal/pocket.h>
+#include <solidsubdiv/far/internal/regular_patch.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+/// From a pocket's vertices to those of a child of its root, and the other way for coordinates.
+struct Transition {
+    int state = -1;               ///< of the child
+    std::vector<Index> children;  ///< local vertices of the root that the child has as well, by its own; else kNoIndex
+    // Rows of the child's vertices; where there is none, the pocket does not know.
+    std::vector<Index> offsets, indices;
+    std::vector<double> weights;
+    std::vector<char> has_row;
+    /// The child's coordinates at a place x of the root: matrix x + shift.
+    std::array<std::array<double, 3>, 3> matrix{};
+    std::array<double, 3> shift{};
+};
+
+/// How a part of a polyhedron (see place.h) lies in the child at its corner, and in the one at the next corner.
+struct PartHalf {
+    int child = -1;  ///< of the root; -1: one that is no hexahedron either
+    std::array<std::array<double, 3>, 3> matrix{};
+    std::array<double, 3> shift{};
+};
+
+/// Limit and derivatives at one vertex of the root.
+struct CornerLimit {
+    bool has_limit = false, has_derivatives = false;
+    LimitBlock block;  ///< of the pocket's vertices, first derivatives included
+};
+
+struct LimitResult {
+    bool has_limit = false;
+    int order = 0;     ///< up to which derivatives are there
+    LimitBlock block;  ///< of the vertices of the pocket that it was asked of
+};
+
+class LimitStates {
+  public:
+    LimitStates(const Sdc::Scheme& scheme, Elements elements);
+    ~LimitStates();
+
+    /// The state of a pocket. Any thread.
+    int Find(const Pocket& pocket);
+
+    /// Room that a thread needs.
+    struct Scratch {
+        std::vector<const Transition*> path;
+        LimitBlock block;
+    };
+    /// Weights at a place of the root of a state's pocket, and derivatives up to `order`. Any thread.
+    void Evaluate(int state, const Place& place, int order, Scratch& scratch, LimitResult& result);
+
+    std::size_t n_states() const;
+    /// Bytes of all that is kept.
+    Offset Bytes() const;
+
+  private:
+    struct State;
+    class Expander;
+
+    const State& Expanded(int state);
+    const CornerLimit& Corner(int state, std::size_t corner);
+    CornerLimit MakeCorner(int state, std::size_t corner);
+    State& At(int state);
+
+    const Sdc::Scheme scheme_;
+    const Elements elements_;
+    const Reach reach_;
+    const RegularRule regular_;
+    struct KeyHash {
+        std::size_t operator()(const std::vector<std::int32_t>& key) const;
+    };
+    mutable std::shared_mutex mutex_;  // of the list of states; each state has its own for what it holds
+    std::unordered_map<std::vector<std::int32_t>, int, KeyHash> numbers_;
+    std::deque<std::unique_ptr<State>> states_;
+};
+
+}  // namespace SolidSubdiv::Far::Internal

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limit rows at places: grouped by element, made in parallel, put in the places' order.
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include <solidsubdiv/far/internal/limit_states.h>
+#include <solidsubdiv/far/internal/scheme_check.h>
+#include <solidsubdiv/far/internal/sharpness.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+namespace SolidSubdiv::Far {
+
+namespace {
+
+/// Rows made one after another: of each its weights in the point and in the derivatives, by vertex.
+struct RowsOfChunk {
+    std::vector<Index> indices;
+    std::vector<double> weights;       ///< (number of indices, columns)
+    std::vector<int> lengths, orders;  ///< of each row; order -1: no limit
+};
+
+/// Makes the rows of places in one element after another. A thread needs its own.
+class PlaceRowMaker {
+  public:
+    PlaceRowMaker(Internal::LimitStates& states, Internal::PocketMaker pockets, int order)
+        : states_(states), pockets_(std::move(pockets)), order_(order) {}
+
+    void Add(const Place& place, int n_columns, RowsOfChunk& rows) {
+        if (place.element != element_) {
+            element_ = place.element;
+            pocket_ = pockets_.Make(element_);
+            state_ = states_.Find(pocket_);
+        }
+        states_.Evaluate(state_, place, order_, scratch_, result_);
+        const std::size_t before = rows.indices.size();
+        rows.orders.push_back(result_.has_limit ? result_.order : -1);
+        const Internal::LimitBlock& block = result_.block;
+        const std::size_t columns = static_cast<std::size_t>(block.n_columns);
+        for (Index v = 0; result_.has_limit && v < pocket_.n_vertices(); ++v) {
+            const double* row = block.Row(v);
+            if (std::all_of(row, row + columns, [](double w) { return w == 0; })) continue;
+            rows.indices.push_back(pocket_.vertices[static_cast<std::size_t>(v)]);
+            rows.weights.insert(rows.weights.end(), row, row + columns);
+            rows.weights.resize(rows.indices.size() * static_cast<std::size_t>(n_columns));
+        }
+        rows.lengths.push_back(static_cast<int>(rows.indices.size() - before));
+    }
+
+  private:
+    Internal::LimitStates& states_;
+    Internal::PocketMaker pockets_;
+    const int order_;
+    Index element_ = kNoIndex;
+    Internal::Pocket pocket_;
+    int state_ = 0;
+    Internal::LimitStates::Scratch scratch_;
+    Internal::LimitResult result_;
+};
+
+Internal::PocketMaker PocketsOf(const TopologyRefiner& refiner, const Sharpness& sharpness,
+                                const Internal::Reach& reach, const LimitPlacesOptions& options) {
+    if (refiner.is_polyhedral()) {
+        return {refiner.polyhedral_level(options.level), sharpness, reach, options.elements};
+    }
+    return {refiner.level(options.level), sharpness, reach, options.elements};
+}
+
+}  // namespace
+
+void LimitPlacesOptions::Validate() const {
+    if (order < 0 || order > 2) {
+        throw InvalidInput("order of derivatives is " + std::to_string(order) + "; it must be 0, 1 or 2");
+    }
+}
+
+LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                            std::span<const Place> places, const LimitPlacesOptions& options) {
+    options.Validate();
+    Internal::CheckScheme(refiner, scheme);
+    CheckPlaces(refiner, options.level, places, options.elements);
+    if (!refiner.is_full(options.level)) {
+        throw InvalidInput("limits in level " + std::to_string(options.level) +
+                           " need its full topology: refine with full_topology_in_last_level");
+    }
+    const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, options.level + 1).back();
+    const Internal::Reach reach = Internal::Reach::Of(scheme, options.elements);
+    Internal::LimitStates states(scheme, options.elements);
+
+    // Places in one element follow each other.
+    const Offset n = static_cast<Offset>(places.size());
+    std::vector<Offset> order(places.size());
+    std::iota(order.begin(), order.end(), Offset{0});
+    std::stable_sort(order.begin(), order.end(), [&](Offset a, Offset b) {
+        return places[static_cast<std::size_t>(a)].element < places[static_cast<std::size_t>(b)].element;
+    });
+    constexpr Offset kChunk = 256;
+    const Offset n_chunks = (n + kChunk - 1) / kChunk;
+    const int n_columns = 1 + Internal::NDerivatives(options.elements, options.order);
+    std::vector<RowsOfChunk> chunks(static_cast<std::size_t>(n_chunks));
+    const Offset n_threads = std::min<Offset>(Sdc::ThreadCount(), std::max<Offset>(n_chunks, 1));
+    std::atomic<Offset> next_chunk{0};
+    Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
+        for (Offset thread = begin; thread < end; ++thread) {
+            PlaceRowMaker maker(states, PocketsOf(refiner, sharpness, reach, options), options.order);
+            for (Offset c = next_chunk++; c < n_chunks; c = next_chunk++) {
+                for (Offset i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
+                    maker.Add(places[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], n_columns,
+                              chunks[static_cast<std::size_t>(c)]);
+                }
+            }
+        }
+    });
+
+    LimitStencilTable table;
+    table.rows_.n_sources = refiner.n_vertices(options.level);
+    table.rows_.offsets.assign(places.size() + 1, 0);
+    std::vector<int> orders(places.size());
+    for (Offset i = 0; i < n; ++i) {
+        const RowsOfChunk& chunk = chunks[static_cast<std::size_t>(i / kChunk)];
+        const Offset place = order[static_cast<std::size_t>(i)];
+        table.rows_.offsets[place + 1] = chunk.lengths[static_cast<std::size_t>(i % kChunk)];
+        orders[static_cast<std::size_t>(place)] = chunk.orders[static_cast<std::size_t>(i % kChunk)];
+    }
+    for (Offset i = 0; i < n; ++i) table.rows_.offsets[i + 1] += table.rows_.offsets[i];
+    const std::size_t n_weights = static_cast<std::size_t>(table.rows_.offsets.back());
+    table.rows_.indices.resize(n_weights);
+    table.rows_.weights.resize(n_weights);
+    table.derivatives_.resize(static_cast<std::size_t>(n_columns - 1));
+    for (Array<double>& weights : table.derivatives_) weights.resize(n_weights);
+    Sdc::ParallelFor(n_chunks, 1, [&](Offset begin, Offset end) {
+        for (Offset c = begin; c < end; ++c) {
+            RowsOfChunk& chunk = chunks[static_cast<std::size_t>(c)];
+            std::size_t from = 0;
+            for (std::size_t r = 0; r < chunk.lengths.size(); ++r) {
+                Offset to = table.rows_.offsets[order[static_cast<std::size_t>(c * kChunk) + r]];
+                for (int k = 0; k < chunk.lengths[r]; ++k, ++from, ++to) {
+                    table.rows_.indices[to] = chunk.indices[from];
+                    const double* weights = chunk.weights.data() + from * static_cast<std::size_t>(n_columns);
+                    table.rows_.weights[to] = weights[0];
+                    for (int column = 1; column < n_columns; ++column) {
+                        table.derivatives_[static_cast<std::size_t>(column - 1)][to] = weights[column];
+                    }
+                }
+            }
+            chunk = {};
+        }
+    });
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        if (orders[i] >= options.order) continue;
+        const std::string name = "place " + std::to_string(i);
+        if (orders[i] < 0) {
+            table.without_limit_.push_back(static_cast<Index>(i));
+            table.defects_.push_back({DefectCode::NoLimit, static_cast<Index>(i), 0, name + " has no limit"});
+        } else {
+            table.defects_.push_back({DefectCode::NoDerivative, static_cast<Index>(i), orders[i] + 1.0,
+                                      name + (orders[i] == 0 ? " has no derivatives" : " has no second derivatives")});
+        }
+    }
+    return table;
+}
+
+StencilRows<double> LimitStencilTable::DerivativeRows(int k) const {
+    StencilRows<double> rows = rows_;
+    rows.weights = derivatives_[static_cast<std::size_t>(k)];
+    return rows;
+}
+
+Offset LimitStencilTable::Bytes() const {
+    Offset bytes = rows_.Bytes();
+    for (const Array<double>& weights : derivatives_) bytes += static_cast<Offset>(weights.size() * sizeof(double));
+    return bytes;
+}
+
+}  // namespace SolidSubdiv::Far

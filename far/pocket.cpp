@@ -1,0 +1,663 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pockets grow across faces (of surfaces: across edges); new vertices are numbered by those that they lie across.
+#include <solidsubdiv/far/internal/pocket.h>
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include <solidsubdiv/far/internal/sharpness.h>
+#include <solidsubdiv/far/internal/with_rows.h>
+
+namespace SolidSubdiv::Far::Internal {
+
+namespace {
+
+/// Cells of a level of tets and octahedra and what they meet in.
+class TetOctCells {
+  public:
+    static constexpr bool kAreFaces = false;
+
+    explicit TetOctCells(const Level& level)
+        : level_(level), tets_at_(Vtr::Invert(level.tet_vertices, 4, level.n_vertices, false)) {}
+
+    const Level& level() const { return level_; }
+    Index size() const { return static_cast<Index>(level_.n_cells()); }
+    Index n_sides() const { return level_.n_faces; }
+    RootKind KindOf(Index c) const { return c < level_.n_tets ? RootKind::Tet : RootKind::Oct; }
+    std::span<const Index> Vertices(Index c) const {
+        if (c < level_.n_tets) return level_.TetVertices(c);
+        return level_.OctVertices(c - level_.n_tets);
+    }
+    std::span<const Index> Sides(Index c) const {
+        if (c < level_.n_tets) return level_.TetFaces(c);
+        return level_.OctFaces(c - level_.n_tets);
+    }
+    std::span<const Index> SideVertices(Index side) const { return level_.FaceVertices(side); }
+    template <class Body>
+    void ForElementsAt(Index v, Body&& body) const {
+        for (Index t : tets_at_[v]) body(t);
+        for (Index o : level_.vertex_octs[v]) body(level_.n_tets + o);
+    }
+    bool IsSheet(Index face) const { return level_.face_tags[face].n_cells() == 0; }
+    /// Whether two corners of a cell lie across from each other: of an octahedron.
+    bool AreAcross(Index c, Index v, Index w) const {
+        if (c < level_.n_tets) return false;
+        const auto o = Vertices(c);
+        for (std::size_t i = 0; i < 6; ++i) {
+            if (o[i] == v) return o[i ^ 1] == w;
+        }
+        return false;
+    }
+
+  private:
+    const Level& level_;
+    Vtr::Relation tets_at_;
+};
+
+/// The same of polyhedra.
+class PolyhedralCells {
+  public:
+    static constexpr bool kAreFaces = false;
+
+    explicit PolyhedralCells(const Vtr::PolyhedralLevel& level) : level_(level) {}
+
+    const Vtr::PolyhedralLevel& level() const { return level_; }
+    Index size() const { return static_cast<Index>(level_.n_cells()); }
+    Index n_sides() const { return level_.n_faces; }
+    RootKind KindOf(Index c) const { return level_.IsHex(c) ? RootKind::Hex : RootKind::Polyhedron; }
+    std::span<const Index> Vertices(Index c) const { return level_.CellVertices(c); }
+    std::span<const Index> Sides(Index c) const { return level_.CellFaces(c); }
+    std::span<const Index> SideVertices(Index side) const { return level_.FaceVertices(side); }
+    template <class Body>
+    void ForElementsAt(Index v, Body&& body) const {
+        for (Index c : level_.vertex_cells[v]) body(c);
+    }
+    bool IsSheet(Index face) const { return level_.NCells(face) == 0; }
+    /// Of a hexahedron: whether they are the ends of an edge.
+    bool AreAcross(Index c, Index v, Index w) const {
+        if (!level_.IsHex(c)) return false;
+        const auto h = Vertices(c);
+        const auto place = [&](Index x) { return static_cast<int>(std::find(h.begin(), h.end(), x) - h.begin()); };
+        return Sdc::Hex::Distance(place(v), place(w)) == 1;
+    }
+
+  private:
+    const Vtr::PolyhedralLevel& level_;
+};
+
+/// Boundary faces of any level, which meet in edges.
+template <class AnyLevel>
+class BoundaryFaces {
+  public:
+    static constexpr bool kAreFaces = true;
+
+    explicit BoundaryFaces(const AnyLevel& level) : level_(level) {
+        at_offsets_.assign(static_cast<std::size_t>(level.n_vertices) + 1, 0);
+        for (Index v : level.boundary_vertices) ++at_offsets_[static_cast<std::size_t>(v) + 1];
+        std::partial_sum(at_offsets_.begin(), at_offsets_.end(), at_offsets_.begin());
+        at_.resize(level.boundary_vertices.size());
+        std::vector<Offset> next(at_offsets_.begin(), at_offsets_.end() - 1);
+        for (Index b = 0; b < size(); ++b) {
+            for (Index v : Vertices(b)) at_[static_cast<std::size_t>(next[static_cast<std::size_t>(v)]++)] = b;
+        }
+    }
+
+    const AnyLevel& level() const { return level_; }
+    Index size() const { return level_.n_boundary_faces; }
+    Index n_sides() const { return level_.n_edges; }
+    RootKind KindOf(Index) const { return RootKind::Face; }
+    std::span<const Index> Vertices(Index b) const { return level_.BoundaryVertices(b); }
+    std::span<const Index> Sides(Index b) const { return level_.FaceEdges(level_.boundary_faces[b]); }
+    std::span<const Index> SideVertices(Index side) const { return level_.EdgeVertices(side); }
+    template <class Body>
+    void ForElementsAt(Index v, Body&& body) const {
+        for (Offset i = at_offsets_[static_cast<std::size_t>(v)]; i < at_offsets_[static_cast<std::size_t>(v) + 1];
+             ++i) {
+            body(at_[static_cast<std::size_t>(i)]);
+        }
+    }
+    bool IsSheet(Index) const { return false; }
+    bool AreAcross(Index b, Index v, Index w) const {
+        const auto corners = Vertices(b);
+        const std::size_t n = corners.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            if (corners[i] == v) return corners[(i + 1) % n] == w || corners[(i + n - 1) % n] == w;
+        }
+        return false;
+    }
+
+  private:
+    const AnyLevel& level_;
+    std::vector<Offset> at_offsets_;
+    std::vector<Index> at_;
+};
+
+constexpr Index kUnnumbered = -1;
+
+/// Numbers of a few vertices, ascending, in one number that orders them.
+std::uint64_t Pack(std::span<const Index> numbers) {
+    std::array<Index, 16> sorted;
+    const std::size_t n = std::min(numbers.size(), sorted.size());
+    std::copy(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n), sorted.begin());
+    std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(n));
+    std::uint64_t packed = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        packed = packed << 16 | (i < n ? static_cast<std::uint64_t>(sorted[i]) & 0xFFFF : 0xFFFF);
+    }
+    return packed;
+}
+
+/// The rotations of a hexahedron, as orders of its vertices.
+const std::vector<std::array<Sdc::Local, 8>>& HexRotations() {
+    static const auto rotations = [] {
+        using Order = std::array<Sdc::Local, 8>;
+        const Order about_z{1, 2, 3, 0, 5, 6, 7, 4}, about_x{3, 2, 6, 7, 0, 1, 5, 4};
+        std::vector<Order> all{{0, 1, 2, 3, 4, 5, 6, 7}};
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            for (const Order& turn : {about_z, about_x}) {
+                Order next;
+                for (std::size_t k = 0; k < 8; ++k) next[k] = all[i][turn[k]];
+                if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(next);
+            }
+        }
+        return all;
+    }();
+    return rotations;
+}
+
+/// Starts a cycle at its least number.
+void Rotate(std::vector<Index>& cycle) {
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+}
+
+}  // namespace
+
+Reach Reach::Of(const Sdc::Scheme& scheme, Elements elements) {
+    return std::visit(
+        [&]<class S>(const S& s) -> Reach {
+            if constexpr (requires { s.surface(); }) {
+                if (decltype(s.surface())::kIsWide) {
+                    return {.is_wide = true, .edges_need_both_ends = true, .interpolates = true};
+                }
+            }
+            // Chaikin's means of sharpness are taken at both ends.
+            const bool is_chaikin = CreaseOptionsOf(s).method == Sdc::CreasingMethod::Chaikin;
+            bool is_wide = is_chaikin, b_edges_only = false;
+            if (elements == Elements::Cells) {
+                if constexpr (std::is_same_v<S, Sdc::BoxSpline>) {
+                    b_edges_only = s.diagonals == Sdc::Diagonals::Directional;
+                    is_wide = is_wide || !b_edges_only;
+                }
+                if constexpr (std::is_same_v<S, Sdc::SmoothTet>) is_wide = true;
+            }
+            return {.is_wide = is_wide, .b_edges_only = b_edges_only, .edges_need_both_ends = is_chaikin};
+        },
+        scheme);
+}
+
+bool Pocket::HasCompleteEdge(Index a, Index b) const {
+    if (a > b) std::swap(a, b);
+    for (std::size_t i = 0; i + 1 < complete_edges.size(); i += 2) {
+        if (complete_edges[i] == a && complete_edges[i + 1] == b) return true;
+    }
+    return false;
+}
+
+std::vector<std::int32_t> Pocket::Key() const {
+    std::vector<std::int32_t> key{static_cast<std::int32_t>(root), n_vertices()};
+    const auto add = [&](const auto& list) {
+        key.push_back(static_cast<std::int32_t>(list.size()));
+        for (const auto x : list) key.push_back(static_cast<std::int32_t>(x));
+    };
+    add(tets), add(octs), add(hexes);
+    add(cell_offsets), add(cell_faces.offsets), add(cell_faces.vertices);
+    add(faces.offsets), add(faces.vertices), add(edges);
+    add(crease_edges), add(corner_vertices);
+    for (float s : crease_sharpness) key.push_back(std::bit_cast<std::int32_t>(s));
+    for (float s : corner_sharpness) key.push_back(std::bit_cast<std::int32_t>(s));
+    add(is_complete), add(complete_edges);
+    return key;
+}
+
+class PocketMaker::Base {
+  public:
+    virtual ~Base() = default;
+    virtual Pocket Make(Index element) = 0;
+};
+
+template <class Complex>
+class PocketMaker::Maker final : public PocketMaker::Base {
+  public:
+    template <class AnyLevel>
+    Maker(const AnyLevel& level, const Sharpness& sharpness, const Reach& reach)
+        : complex_(level),
+          sharpness_(sharpness),
+          reach_(reach),
+          element_mark_(static_cast<std::size_t>(complex_.size()), 0),
+          vertex_mark_(static_cast<std::size_t>(level.n_vertices), 0),
+          side_mark_(static_cast<std::size_t>(complex_.n_sides()), 0),
+          numbers_(static_cast<std::size_t>(level.n_vertices), kUnnumbered),
+          side_elements_(static_cast<std::size_t>(complex_.n_sides())) {
+        if constexpr (!Complex::kAreFaces) {
+            for (Index f = 0; f < level.n_faces && !has_sheets_; ++f) has_sheets_ = complex_.IsSheet(f);
+        }
+        for (Index e = 0; e < level.n_edges && !has_curves_; ++e) has_curves_ = level.edge_faces.Count(e) == 0;
+        if constexpr (Complex::kAreFaces) {
+            for (Index v = 0; v < level.n_vertices && !solid_; ++v) {
+                if (IsPinched(v)) solid_.emplace(level);
+            }
+        }
+    }
+
+    Pocket Make(Index root) override {
+        ++stamp_;
+        elements_.clear();
+        complete_.clear();
+        opposite_edges_.clear();
+        const auto corners = complex_.Vertices(root);
+        for (Index v : corners) Complete(v);
+        if constexpr (std::is_same_v<Complex, TetOctCells>) AddAcrossTets();
+        if (reach_.is_wide) {
+            const std::size_t n = elements_.size();
+            for (std::size_t i = 0; i < n; ++i) {
+                for (Index v : complex_.Vertices(elements_[i])) Complete(v);
+            }
+            opposite_edges_.clear();
+        }
+        pocket_ = {};
+        pocket_.root = complex_.KindOf(root);
+        pocket_.is_tet_oct = std::is_same_v<std::remove_cvref_t<decltype(complex_.level())>, Level>;
+        pocket_.n_root_vertices = static_cast<Index>(corners.size());
+        for (Index v : corners) Number(v);
+        GrowFrom(root);
+        if (has_sheets_ || has_curves_) AddThinParts();
+        if constexpr (Complex::kAreFaces) {
+            if (solid_ && std::any_of(complete_.begin(), complete_.end(), [&](Index v) { return IsPinched(v); })) {
+                AddCells();
+            }
+        }
+        pocket_.is_complete.assign(pocket_.vertices.size(), 0);
+        for (Index v : complete_) pocket_.is_complete[NumberOf(v)] = 1;
+        AddCompleteEdges();
+        if (!sharpness_.empty()) AddSharpness();
+        for (Index v : pocket_.vertices) numbers_[static_cast<std::size_t>(v)] = kUnnumbered;
+        return std::move(pocket_);
+    }
+
+  private:
+    std::size_t NumberOf(Index v) const { return static_cast<std::size_t>(numbers_[static_cast<std::size_t>(v)]); }
+    bool HasNumber(Index v) const { return numbers_[static_cast<std::size_t>(v)] != kUnnumbered; }
+    void Number(Index v) {
+        if (HasNumber(v)) return;
+        numbers_[static_cast<std::size_t>(v)] = static_cast<Index>(pocket_.vertices.size());
+        pocket_.vertices.push_back(v);
+    }
+
+    /// Takes in all elements at a vertex.
+    void Complete(Index v) {
+        if (std::exchange(vertex_mark_[static_cast<std::size_t>(v)], stamp_) == stamp_) return;
+        complete_.push_back(v);
+        complex_.ForElementsAt(v, [&](Index c) { Take(c); });
+    }
+    bool IsComplete(Index v) const { return vertex_mark_[static_cast<std::size_t>(v)] == stamp_; }
+    void Take(Index c) {
+        if (std::exchange(element_mark_[static_cast<std::size_t>(c)], stamp_) != stamp_) elements_.push_back(c);
+    }
+
+    /// Takes in the cells at those edges of tets that lie opposite to the root's. Where tets do not agree on the B edge
+    /// of their common face, the octahedra in them reach one edge further.
+    void AddAcrossTets() {
+        const std::size_t n = elements_.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            if (complex_.KindOf(elements_[i]) != RootKind::Tet) continue;
+            ForPairs(elements_[i], [&](Index a, Index b, Index c, Index d) {
+                if (IsComplete(a) && IsComplete(b)) TakeAtEdge(c, d);
+                if (IsComplete(c) && IsComplete(d)) TakeAtEdge(a, b);
+            });
+        }
+        if (!reach_.b_edges_only) return;
+        const auto edges = opposite_edges_;
+        for (const auto& [x, y] : edges) {
+            ForElementsWith(x, y, [&](Index t) {
+                if (complex_.KindOf(t) != RootKind::Tet) return;
+                const auto v = complex_.Vertices(t);
+                const auto is_b_edge = [&](std::size_t i) {
+                    return (v[i] == x && v[i + 1] == y) || (v[i] == y && v[i + 1] == x);
+                };
+                if (is_b_edge(0) || is_b_edge(2)) return;
+                TakeAtEdge(v[0], v[1]);
+                TakeAtEdge(v[2], v[3]);
+            });
+        }
+    }
+    /// Calls body(a, b, c, d) for the pairs of opposite edges ab, cd of a tet that matter.
+    template <class Body>
+    void ForPairs(Index t, Body&& body) const {
+        const auto v = complex_.Vertices(t);
+        body(v[0], v[1], v[2], v[3]);
+        if (reach_.b_edges_only) return;
+        body(v[0], v[2], v[1], v[3]);
+        body(v[0], v[3], v[1], v[2]);
+    }
+    template <class Body>
+    void ForElementsWith(Index a, Index b, Body&& body) const {
+        complex_.ForElementsAt(a, [&](Index c) {
+            const auto v = complex_.Vertices(c);
+            if (std::find(v.begin(), v.end(), b) != v.end() && !complex_.AreAcross(c, a, b)) body(c);
+        });
+    }
+    void TakeAtEdge(Index a, Index b) {
+        if (IsComplete(a) || IsComplete(b)) return;
+        opposite_edges_.push_back({a, b});
+        ForElementsWith(a, b, [&](Index c) { Take(c); });
+    }
+
+    /// Numbers vertices and lists elements, from the root across sides.
+    void GrowFrom(Index root) {
+        for (Index c : elements_) {
+            for (Index s : complex_.Sides(c)) {
+                auto& found = side_elements_[static_cast<std::size_t>(s)];
+                const bool is_new = std::exchange(side_mark_[static_cast<std::size_t>(s)], stamp_) != stamp_;
+                if (is_new)
+                    found = {c, kNoIndex};
+                else if (found[1] == kNoIndex)
+                    found[1] = c;
+                else
+                    found[1] = kManyElements;
+            }
+        }
+        queue_.clear();
+        Enter(root, root);
+        for (std::size_t head = 0;; ++head) {
+            if (head == queue_.size() && !EnterNearest(root)) break;
+            const Index c = queue_[head];
+            sides_.clear();
+            for (Index s : complex_.Sides(c)) sides_.push_back({PackSide(s), s});
+            std::sort(sides_.begin(), sides_.end());
+            for (const auto& [key, s] : sides_) {
+                const auto& found = side_elements_[static_cast<std::size_t>(s)];
+                if (found[1] == kNoIndex || found[1] == kManyElements) continue;
+                const Index other = found[0] == c ? found[1] : found[0];
+                if (element_mark_[static_cast<std::size_t>(other)] == stamp_) Enter(other, root);
+            }
+        }
+    }
+    std::uint64_t PackSide(Index s) const {
+        std::array<Index, 16> numbers;
+        std::size_t n = 0;
+        for (Index v : complex_.SideVertices(s)) {
+            if (n < numbers.size()) numbers[n++] = numbers_[static_cast<std::size_t>(v)];
+        }
+        return Pack({numbers.data(), n});
+    }
+
+    /// Numbers an element's new vertices and lists it. Entered elements lose their mark.
+    void Enter(Index c, Index root) {
+        element_mark_[static_cast<std::size_t>(c)] = 0;
+        queue_.push_back(c);
+        const auto corners = complex_.Vertices(c);
+        fresh_.clear();
+        for (Index v : corners) {
+            if (HasNumber(v)) continue;
+            Index across = 0xFFFF;
+            for (Index w : corners) {
+                if (HasNumber(w) && complex_.AreAcross(c, v, w)) {
+                    across = std::min(across, numbers_[static_cast<std::size_t>(w)]);
+                }
+            }
+            fresh_.push_back({across, v});
+        }
+        std::stable_sort(fresh_.begin(), fresh_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [across, v] : fresh_) Number(v);
+        List(complex_, c, c == root);
+    }
+    /// Enters the element that meets what is there in the least numbers; false if none is left.
+    bool EnterNearest(Index root) {
+        Index nearest = kNoIndex;
+        std::uint64_t least = ~std::uint64_t{0};
+        for (Index c : elements_) {
+            if (element_mark_[static_cast<std::size_t>(c)] != stamp_) continue;
+            std::array<Index, 16> numbers;
+            std::size_t n = 0;
+            for (Index v : complex_.Vertices(c)) {
+                if (HasNumber(v) && n < numbers.size()) numbers[n++] = numbers_[static_cast<std::size_t>(v)];
+            }
+            const std::uint64_t key = Pack({numbers.data(), n});
+            if (nearest == kNoIndex || key < least) {
+                nearest = c;
+                least = key;
+            }
+        }
+        if (nearest == kNoIndex) return false;
+        Enter(nearest, root);
+        return true;
+    }
+
+    /// Adds an element to the pocket, its vertices in an order that its numbers decide; the root's as it is.
+    template <class AnyComplex>
+    void List(const AnyComplex& complex, Index c, bool is_root) {
+        std::vector<Index>& v = listed_;
+        v.clear();
+        for (Index x : complex.Vertices(c)) v.push_back(numbers_[static_cast<std::size_t>(x)]);
+        switch (complex.KindOf(c)) {
+            case RootKind::Tet:
+                if (!is_root) SortPairs(v);
+                pocket_.tets.insert(pocket_.tets.end(), v.begin(), v.end());
+                break;
+            case RootKind::Oct:
+                if (!is_root) SortPairs(v);
+                pocket_.octs.insert(pocket_.octs.end(), v.begin(), v.end());
+                break;
+            case RootKind::Hex:
+                if (!is_root) SortHex(v);
+                pocket_.hexes.insert(pocket_.hexes.end(), v.begin(), v.end());
+                break;
+            case RootKind::Polyhedron:
+                ListPolyhedron(complex, c, is_root);
+                break;
+            case RootKind::Face:
+                if (!is_root) Rotate(v);
+                pocket_.faces.vertices.insert(pocket_.faces.vertices.end(), v.begin(), v.end());
+                pocket_.faces.End();
+                break;
+        }
+    }
+    /// Each pair ascending and pairs in order, but for an octahedron's first, the major diagonal.
+    static void SortPairs(std::vector<Index>& v) {
+        for (std::size_t i = 0; i < v.size(); i += 2) {
+            if (v[i] > v[i + 1]) std::swap(v[i], v[i + 1]);
+        }
+        const std::size_t first = v.size() == 6 ? 2 : 0;
+        if (v[first] > v[first + 2]) {
+            std::swap(v[first], v[first + 2]);
+            std::swap(v[first + 1], v[first + 3]);
+        }
+    }
+    static void SortHex(std::vector<Index>& v) {
+        std::array<Index, 8> best{}, turned;
+        bool is_first = true;
+        for (const auto& rotation : HexRotations()) {
+            for (std::size_t k = 0; k < 8; ++k) turned[k] = v[rotation[k]];
+            if (std::exchange(is_first, false) || turned < best) best = turned;
+        }
+        v.assign(best.begin(), best.end());
+    }
+    template <class AnyComplex>
+    void ListPolyhedron([[maybe_unused]] const AnyComplex& complex, [[maybe_unused]] Index c,
+                        [[maybe_unused]] bool is_root) {
+        if constexpr (std::is_same_v<AnyComplex, PolyhedralCells>) {
+            const Vtr::Polyhedra& p = complex.level().polyhedra;
+            const Index i = c - complex.level().n_hexes;
+            std::vector<std::vector<Index>> faces;
+            for (Offset f = p.offsets[i]; f < p.offsets[i + 1]; ++f) {
+                std::vector<Index>& face = faces.emplace_back();
+                for (Offset k = p.face_vertex_offsets[f]; k < p.face_vertex_offsets[f + 1]; ++k) {
+                    face.push_back(numbers_[static_cast<std::size_t>(p.face_vertices[k])]);
+                }
+                if (!is_root) Rotate(face);
+            }
+            if (!is_root) std::sort(faces.begin(), faces.end());
+            for (const auto& face : faces) {
+                pocket_.cell_faces.vertices.insert(pocket_.cell_faces.vertices.end(), face.begin(), face.end());
+                pocket_.cell_faces.End();
+            }
+            pocket_.cell_offsets.push_back(pocket_.cell_faces.size());
+        }
+    }
+
+    /// Faces in no cell and edges in no face at complete vertices and edges.
+    void AddThinParts() {
+        const auto& level = complex_.level();
+        std::vector<Index> sheets, curves;
+        const auto look_at = [&](Index e) {
+            if (level.edge_faces.Count(e) == 0) curves.push_back(e);
+            if constexpr (!Complex::kAreFaces) {
+                for (Index f : level.edge_faces[e]) {
+                    if (complex_.IsSheet(f)) sheets.push_back(f);
+                }
+            }
+        };
+        for (Index v : complete_) {
+            for (Index e : level.vertex_edges[v]) look_at(e);
+        }
+        for (const auto& [a, b] : opposite_edges_) look_at(level.FindEdge(a, b));
+        const auto add_all = [&](std::vector<Index>& parts, auto&& vertices_of, auto&& list) {
+            std::sort(parts.begin(), parts.end());
+            parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+            std::vector<std::vector<Index>> lists;
+            for (Index part : parts) {
+                for (Index v : vertices_of(part)) Number(v);
+                std::vector<Index>& numbers = lists.emplace_back();
+                for (Index v : vertices_of(part)) numbers.push_back(numbers_[static_cast<std::size_t>(v)]);
+                Rotate(numbers);
+            }
+            std::sort(lists.begin(), lists.end());
+            for (const auto& numbers : lists) list(numbers);
+        };
+        if constexpr (!Complex::kAreFaces) {
+            add_all(
+                sheets, [&](Index f) { return level.FaceVertices(f); },
+                [&](const std::vector<Index>& face) {
+                    pocket_.faces.vertices.insert(pocket_.faces.vertices.end(), face.begin(), face.end());
+                    pocket_.faces.End();
+                });
+        }
+        add_all(
+            curves, [&](Index e) { return level.EdgeVertices(e); },
+            [&](const std::vector<Index>& edge) {
+                pocket_.edges.insert(pocket_.edges.end(), edge.begin(), edge.end());
+            });
+    }
+
+    /// Whether the boundary at a vertex of a solid does not know all that its rules ask for: solids that touch, sheets.
+    bool IsPinched(Index v) const {
+        const auto& level = complex_.level();
+        if (!level.vertex_tags[v].in_cell()) return false;
+        const auto edges = level.vertex_edges[v];
+        return level.vertex_tags[v].non_manifold() || std::any_of(edges.begin(), edges.end(), [&](Index e) {
+                   return level.edge_tags[e].rule() == Vtr::Rule::Curve;
+               });
+    }
+    /// Of a pinched pocket of faces: the cells at its complete vertices.
+    void AddCells() {
+        std::vector<Index> cells;
+        for (Index v : complete_) {
+            solid_->ForElementsAt(v, [&](Index c) {
+                if (std::find(cells.begin(), cells.end(), c) == cells.end()) cells.push_back(c);
+            });
+        }
+        for (Index c : cells) {
+            for (Index v : solid_->Vertices(c)) Number(v);
+            List(*solid_, c, false);
+        }
+    }
+
+    void AddCompleteEdges() {
+        std::vector<std::array<Index, 2>> edges;
+        for (const auto& [a, b] : opposite_edges_) {
+            const Index i = numbers_[static_cast<std::size_t>(a)], k = numbers_[static_cast<std::size_t>(b)];
+            edges.push_back({std::min(i, k), std::max(i, k)});
+        }
+        std::sort(edges.begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        for (const auto& e : edges) pocket_.complete_edges.insert(pocket_.complete_edges.end(), e.begin(), e.end());
+    }
+
+    /// Of complete vertices and edges.
+    void AddSharpness() {
+        const auto& level = complex_.level();
+        std::vector<std::pair<std::array<Index, 2>, float>> creases;
+        std::vector<std::pair<Index, float>> corners;
+        const auto add_edge = [&](Index e) {
+            const auto ends = level.EdgeVertices(e);
+            if (!Sdc::IsSharp(sharpness_.edges[e]) || !HasNumber(ends[0]) || !HasNumber(ends[1])) return;
+            const Index i = numbers_[static_cast<std::size_t>(ends[0])],
+                        k = numbers_[static_cast<std::size_t>(ends[1])];
+            creases.push_back({{std::min(i, k), std::max(i, k)}, sharpness_.edges[e]});
+        };
+        for (Index v : complete_) {
+            const Index i = numbers_[static_cast<std::size_t>(v)];
+            if (Sdc::IsSharp(sharpness_.vertices[v])) corners.push_back({i, sharpness_.vertices[v]});
+            for (Index e : level.vertex_edges[v]) add_edge(e);
+        }
+        for (const auto& [a, b] : opposite_edges_) add_edge(level.FindEdge(a, b));
+        std::sort(creases.begin(), creases.end());
+        creases.erase(std::unique(creases.begin(), creases.end()), creases.end());
+        std::sort(corners.begin(), corners.end());
+        for (const auto& [ends, s] : creases) {
+            pocket_.crease_edges.insert(pocket_.crease_edges.end(), ends.begin(), ends.end());
+            pocket_.crease_sharpness.push_back(s);
+        }
+        for (const auto& [v, s] : corners) {
+            pocket_.corner_vertices.push_back(v);
+            pocket_.corner_sharpness.push_back(s);
+        }
+    }
+
+    static constexpr Index kManyElements = -2;  // a side of more than two
+
+    const Complex complex_;
+    const Sharpness& sharpness_;
+    const Reach reach_;
+    bool has_sheets_ = false, has_curves_ = false;
+    /// Of faces: the cells behind them, where they are needed anywhere.
+    using LevelOfComplex = std::remove_cvref_t<decltype(std::declval<Complex>().level())>;
+    std::optional<std::conditional_t<std::is_same_v<LevelOfComplex, Level>, TetOctCells, PolyhedralCells>> solid_;
+    // Marks hold while they equal the stamp.
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> element_mark_, vertex_mark_, side_mark_;
+    std::vector<Index> numbers_;  // of the level's vertices, while a pocket is made
+    std::vector<std::array<Index, 2>> side_elements_;
+    std::vector<Index> elements_, complete_, queue_, listed_;
+    std::vector<std::array<Index, 2>> opposite_edges_;
+    std::vector<std::pair<std::uint64_t, Index>> sides_;
+    std::vector<std::pair<Index, Index>> fresh_;
+    Pocket pocket_;
+};
+
+PocketMaker::PocketMaker(const Level& level, const Sharpness& sharpness, const Reach& reach, Elements elements) {
+    if (elements == Elements::Cells) {
+        maker_ = std::make_unique<Maker<TetOctCells>>(level, sharpness, reach);
+    } else {
+        maker_ = std::make_unique<Maker<BoundaryFaces<Level>>>(level, sharpness, reach);
+    }
+}
+
+PocketMaker::PocketMaker(const Vtr::PolyhedralLevel& level, const Sharpness& sharpness, const Reach& reach,
+                         Elements elements) {
+    if (elements == Elements::Cells) {
+        maker_ = std::make_unique<Maker<PolyhedralCells>>(level, sharpness, reach);
+    } else {
+        maker_ = std::make_unique<Maker<BoundaryFaces<Vtr::PolyhedralLevel>>>(level, sharpness, reach);
+    }
+}
+
+PocketMaker::~PocketMaker() = default;
+PocketMaker::PocketMaker(PocketMaker&&) noexcept = default;
+
+Pocket PocketMaker::Make(Index element) { return maker_->Make(element); }
+
+}  // namespace SolidSubdiv::Far::Internal

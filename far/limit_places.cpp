@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Limit rows at places: grouped by element, made in parallel, put in the places' order.
 #include <algorithm>
+#include <atomic>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include <solidsubdiv/far/internal/limit_states.h>
@@ -21,51 +23,98 @@ struct RowsOfChunk {
     std::vector<int> lengths, orders;  ///< of each row; order -1: no limit
 };
 
+/// States for pockets of every size: the smallest that knows a place does.
+class LimitStatesBySize {
+  public:
+    static constexpr int kSizes = 4;
+
+    LimitStatesBySize(const Sdc::Scheme& scheme, Elements elements) : least_(Internal::Reach::Of(scheme, elements)) {
+        for (int i = 0; i < kSizes; ++i) {
+            states_[static_cast<std::size_t>(i)] =
+                std::make_unique<Internal::LimitStates>(scheme, elements, ReachOf(i));
+        }
+    }
+    Internal::Reach ReachOf(int size) const {
+        Internal::Reach reach = least_;
+        reach.n_rings += size;
+        return reach;
+    }
+    Internal::LimitStates& operator[](int size) { return *states_[static_cast<std::size_t>(size)]; }
+
+  private:
+    const Internal::Reach least_;
+    std::array<std::unique_ptr<Internal::LimitStates>, kSizes> states_;
+};
+
 /// Makes the rows of places in one element after another. A thread needs its own.
 class PlaceRowMaker {
   public:
-    PlaceRowMaker(Internal::LimitStates& states, Internal::PocketMaker pockets, int order)
-        : states_(states), pockets_(std::move(pockets)), order_(order) {}
+    PlaceRowMaker(const TopologyRefiner& refiner, const Sharpness& sharpness, const LimitPlacesOptions& options,
+                  LimitStatesBySize& states)
+        : refiner_(refiner), sharpness_(sharpness), options_(options), states_(states) {}
 
     void Add(const Place& place, int n_columns, RowsOfChunk& rows) {
         if (place.element != element_) {
             element_ = place.element;
-            pocket_ = pockets_.Make(element_);
-            state_ = states_.Find(pocket_);
+            for (Size& size : sizes_) size.state = nullptr;
         }
-        states_.Evaluate(state_, place, order_, scratch_, result_);
+        int i = 0;
+        for (; i < LimitStatesBySize::kSizes; ++i) {
+            Evaluate(place, i);
+            if (result_.outcome != Internal::LimitOutcome::Unknown) break;
+        }
+        const bool is_known = result_.outcome == Internal::LimitOutcome::Known;
+        rows.orders.push_back(is_known ? result_.order : -1);
         const std::size_t before = rows.indices.size();
-        rows.orders.push_back(result_.has_limit ? result_.order : -1);
-        const Internal::LimitBlock& block = result_.block;
-        const std::size_t columns = static_cast<std::size_t>(block.n_columns);
-        for (Index v = 0; result_.has_limit && v < pocket_.n_vertices(); ++v) {
-            const double* row = block.Row(v);
-            if (std::all_of(row, row + columns, [](double w) { return w == 0; })) continue;
-            rows.indices.push_back(pocket_.vertices[static_cast<std::size_t>(v)]);
-            rows.weights.insert(rows.weights.end(), row, row + columns);
-            rows.weights.resize(rows.indices.size() * static_cast<std::size_t>(n_columns));
-        }
+        if (is_known) Append(sizes_[static_cast<std::size_t>(i)].pocket, n_columns, rows);
         rows.lengths.push_back(static_cast<int>(rows.indices.size() - before));
     }
 
   private:
-    Internal::LimitStates& states_;
-    Internal::PocketMaker pockets_;
-    const int order_;
+    struct Size {
+        std::optional<Internal::PocketMaker> maker;
+        Internal::Pocket pocket;
+        Internal::LimitState* state = nullptr;
+    };
+
+    void Evaluate(const Place& place, int i) {
+        Size& size = sizes_[static_cast<std::size_t>(i)];
+        if (!size.state) {
+            if (!size.maker) {
+                const Internal::Reach reach = states_.ReachOf(i);
+                if (refiner_.is_polyhedral()) {
+                    size.maker.emplace(refiner_.polyhedral_level(options_.level), sharpness_, reach, options_.elements);
+                } else {
+                    size.maker.emplace(refiner_.level(options_.level), sharpness_, reach, options_.elements);
+                }
+            }
+            size.pocket = size.maker->Make(element_);
+            size.state = &states_[i].Find(size.pocket);
+        }
+        states_[i].Evaluate(*size.state, place, options_.order, scratch_, result_);
+    }
+
+    void Append(const Internal::Pocket& pocket, int n_columns, RowsOfChunk& rows) const {
+        const Internal::LimitBlock& block = result_.block;
+        const std::size_t columns = static_cast<std::size_t>(block.n_columns);
+        for (Index v = 0; v < pocket.n_vertices(); ++v) {
+            const double* row = block.Row(v);
+            if (std::all_of(row, row + columns, [](double w) { return w == 0; })) continue;
+            rows.indices.push_back(pocket.vertices[static_cast<std::size_t>(v)]);
+            rows.weights.insert(rows.weights.end(), row, row + columns);
+            rows.weights.resize(rows.indices.size() * static_cast<std::size_t>(n_columns));
+        }
+    }
+
+    const TopologyRefiner& refiner_;
+    const Sharpness& sharpness_;
+    const LimitPlacesOptions& options_;
+    LimitStatesBySize& states_;
     Index element_ = kNoIndex;
-    Internal::Pocket pocket_;
-    int state_ = 0;
+    std::array<Size, LimitStatesBySize::kSizes> sizes_;
     Internal::LimitStates::Scratch scratch_;
     Internal::LimitResult result_;
 };
-
-Internal::PocketMaker PocketsOf(const TopologyRefiner& refiner, const Sharpness& sharpness,
-                                const Internal::Reach& reach, const LimitPlacesOptions& options) {
-    if (refiner.is_polyhedral()) {
-        return {refiner.polyhedral_level(options.level), sharpness, reach, options.elements};
-    }
-    return {refiner.level(options.level), sharpness, reach, options.elements};
-}
 
 }  // namespace
 
@@ -85,8 +134,7 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
                            " need its full topology: refine with full_topology_in_last_level");
     }
     const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, options.level + 1).back();
-    const Internal::Reach reach = Internal::Reach::Of(scheme, options.elements);
-    Internal::LimitStates states(scheme, options.elements);
+    LimitStatesBySize states(scheme, options.elements);
 
     // Places in one element follow each other.
     const Offset n = static_cast<Offset>(places.size());
@@ -103,7 +151,7 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
     std::atomic<Offset> next_chunk{0};
     Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
         for (Offset thread = begin; thread < end; ++thread) {
-            PlaceRowMaker maker(states, PocketsOf(refiner, sharpness, reach, options), options.order);
+            PlaceRowMaker maker(refiner, sharpness, options, states);
             for (Offset c = next_chunk++; c < n_chunks; c = next_chunk++) {
                 for (Offset i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
                     maker.Add(places[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], n_columns,
@@ -147,6 +195,8 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
             chunk = {};
         }
     });
+    if (getenv("DBG"))
+        for (int i = 0; i < 4; ++i) fprintf(stderr, "size %d: %zu states\n", i, states[i].n_states());
     for (std::size_t i = 0; i < orders.size(); ++i) {
         if (orders[i] >= options.order) continue;
         const std::string name = "place " + std::to_string(i);

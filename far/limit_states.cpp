@@ -87,7 +87,14 @@ Matrix Inverse(const Matrix& m) {
 }
 
 /// Weights of an element's corners at a place, linear as place.h says.
-std::vector<double> CornerWeights(RootKind kind, Index n, const Coordinates& at) {
+struct CornerWeights {
+    std::array<double, 8> weights{};
+    std::size_t n = 0;
+    CornerWeights(std::initializer_list<double> list) : n(list.size()) {
+        std::copy(list.begin(), list.end(), weights.begin());
+    }
+};
+CornerWeights WeightsOfCorners(RootKind kind, Index n, const Coordinates& at) {
     const auto [u, v, w] = at;
     switch (kind) {
         case RootKind::Tet:
@@ -136,8 +143,9 @@ std::vector<Index> NeighborsOf(const Pocket& pocket, Index corner) {
 
 }  // namespace
 
-struct LimitStates::State {
+struct LimitState {
     Pocket pocket;
+    Index n_vertices = 0;
     std::optional<RegularPatch> patch;
     std::once_flag expansion, corner_flags[8];
     std::vector<Transition> children;
@@ -218,7 +226,7 @@ class LimitStates::Expander {
             pockets.push_back(maker.Make(c));
             Transition& t = transitions.emplace_back();
             SetCoordinates(parent, pockets.back(), t);
-            t.state = states_.Find(pockets.back());
+            t.state = &states_.Find(pockets.back());
         }
         const auto fill = [&](const auto& rows) {
             for (std::size_t i = 0; i < transitions.size(); ++i) FillRows(parent, rows, pockets[i], transitions[i]);
@@ -337,22 +345,41 @@ class LimitStates::Expander {
 
 namespace {
 
-/// Rows of a child's vertices made rows of its parent's. False where a row that counts is not known.
-bool Pull(const Transition& t, const LimitBlock& child, Index n_vertices, LimitBlock& parent) {
-    const int columns = child.n_columns;
-    parent.Reset(n_vertices, columns);
+template <int kColumns>
+bool PullColumns(const Transition& t, const LimitBlock& child, LimitBlock& parent) {
     const std::size_t n = t.has_row.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const double* from = child.Row(static_cast<Index>(i));
-        if (std::all_of(from, from + columns, [](double w) { return w == 0; })) continue;
+    const double* from = child.weights.data();
+    for (std::size_t i = 0; i < n; ++i, from += kColumns) {
+        bool is_zero = true;
+        for (int c = 0; c < kColumns; ++c) is_zero = is_zero && from[c] == 0;
+        if (is_zero) continue;
         if (!t.has_row[i]) return false;
         for (Index k = t.offsets[i]; k < t.offsets[i + 1]; ++k) {
-            double* to = parent.Row(t.indices[static_cast<std::size_t>(k)]);
-            const double weight = t.weights[static_cast<std::size_t>(k)];
-            for (int c = 0; c < columns; ++c) to[c] += weight * from[c];
+            double* to = parent.weights.data() + kColumns * static_cast<std::size_t>(t.indices[k]);
+            for (int c = 0; c < kColumns; ++c) to[c] += t.weights[k] * from[c];
         }
     }
     return true;
+}
+
+/// Rows of a child's vertices made rows of its parent's. False where a row that counts is not known.
+bool Pull(const Transition& t, const LimitBlock& child, Index n_vertices, LimitBlock& parent) {
+    parent.Reset(n_vertices, child.n_columns);
+    switch (child.n_columns) {
+        case 1:
+            return PullColumns<1>(t, child, parent);
+        case 2:
+            return PullColumns<2>(t, child, parent);
+        case 3:
+            return PullColumns<3>(t, child, parent);
+        case 4:
+            return PullColumns<4>(t, child, parent);
+        case 6:
+            return PullColumns<6>(t, child, parent);
+        default:
+            assert(child.n_columns == 10);
+            return PullColumns<10>(t, child, parent);
+    }
 }
 
 /// The product of two changes of coordinates, the first applied first.
@@ -377,11 +404,8 @@ void ChangeRows(const Matrix& by, int dimension, int order, LimitBlock& block) {
 
 }  // namespace
 
-LimitStates::LimitStates(const Sdc::Scheme& scheme, Elements elements)
-    : scheme_(scheme),
-      elements_(elements),
-      reach_(Reach::Of(scheme, elements)),
-      regular_(RegularRuleOf(scheme, elements)) {}
+LimitStates::LimitStates(const Sdc::Scheme& scheme, Elements elements, const Reach& reach)
+    : scheme_(scheme), elements_(elements), reach_(reach), regular_(RegularRuleOf(scheme, elements)) {}
 
 LimitStates::~LimitStates() = default;
 
@@ -394,25 +418,19 @@ std::size_t LimitStates::KeyHash::operator()(const std::vector<std::int32_t>& ke
     return hash;
 }
 
-LimitStates::State& LimitStates::At(int state) {
-    std::shared_lock lock(mutex_);
-    return *states_[static_cast<std::size_t>(state)];
-}
-
-int LimitStates::Find(const Pocket& pocket) {
+LimitState& LimitStates::Find(const Pocket& pocket) {
     std::vector<std::int32_t> key = pocket.Key();
     {
         std::shared_lock lock(mutex_);
-        if (const auto found = numbers_.find(key); found != numbers_.end()) return found->second;
+        if (const auto found = states_.find(key); found != states_.end()) return *found->second;
     }
-    auto state = std::make_unique<State>();
+    auto state = std::make_unique<LimitState>();
     state->pocket = pocket;
+    state->n_vertices = pocket.n_vertices();
     state->patch = RegularPatch::Find(pocket, regular_);
     state->corners.resize(static_cast<std::size_t>(pocket.n_root_vertices));
     std::unique_lock lock(mutex_);
-    const auto [at, is_new] = numbers_.emplace(std::move(key), static_cast<int>(states_.size()));
-    if (is_new) states_.push_back(std::move(state));
-    return at->second;
+    return *states_.emplace(std::move(key), std::move(state)).first->second;
 }
 
 std::size_t LimitStates::n_states() const {
@@ -420,38 +438,35 @@ std::size_t LimitStates::n_states() const {
     return states_.size();
 }
 
-const LimitStates::State& LimitStates::Expanded(int number) {
-    State& state = At(number);
+void LimitStates::Expand(LimitState& state) {
     std::call_once(state.expansion, [&] { state.children = Expander(*this, state.pocket).Run(); });
-    return state;
 }
 
-const CornerLimit& LimitStates::Corner(int number, std::size_t corner) {
-    State& state = At(number);
-    std::call_once(state.corner_flags[corner], [&] { state.corners[corner] = MakeCorner(number, corner); });
+const CornerLimit& LimitStates::Corner(LimitState& state, std::size_t corner) {
+    std::call_once(state.corner_flags[corner], [&] { state.corners[corner] = MakeCorner(state, corner); });
     return state.corners[corner];
 }
 
 /// The child at a corner, its child there, and so on, until one comes again: powers of what leads around say the limit.
-CornerLimit LimitStates::MakeCorner(int number, std::size_t corner) {
+CornerLimit LimitStates::MakeCorner(LimitState& asked, std::size_t corner) {
     struct Step {
-        int state;
+        LimitState* state;
         std::size_t corner;
         const Transition* next;
     };
     std::vector<Step> steps;
     std::size_t first = 0;  // of the steps that come again
-    for (int s = number;;) {
+    for (LimitState* s = &asked;;) {
         const auto met = std::find_if(steps.begin(), steps.end(),
                                       [&](const Step& step) { return step.state == s && step.corner == corner; });
         if (met != steps.end()) {
             first = static_cast<std::size_t>(met - steps.begin());
             break;
         }
-        const State& state = Expanded(s);
+        Expand(*s);
         const Transition* next = nullptr;
         std::size_t there = 0;
-        for (const Transition& t : state.children) {
+        for (const Transition& t : s->children) {
             const auto found = std::find(t.children.begin(), t.children.end(), static_cast<Index>(corner));
             if (found == t.children.end()) continue;
             next = &t;
@@ -464,12 +479,12 @@ CornerLimit LimitStates::MakeCorner(int number, std::size_t corner) {
 
     const int d = elements_ == Elements::Cells ? 3 : 2;
     const Step& start = steps[first];
-    const Pocket& pocket = At(start.state).pocket;
+    const Pocket& pocket = start.state->pocket;
     const Index n = pocket.n_vertices();
     const auto around = [&](const LimitBlock& from, LimitBlock& to) {  // once around the cycle
         LimitBlock here = from;
         for (std::size_t i = steps.size(); i-- > first;) {
-            if (!Pull(*steps[i].next, here, At(steps[i].state).pocket.n_vertices(), to)) return false;
+            if (!Pull(*steps[i].next, here, steps[i].state->n_vertices, to)) return false;
             std::swap(here, to);
         }
         std::swap(here, to);
@@ -482,33 +497,33 @@ CornerLimit LimitStates::MakeCorner(int number, std::size_t corner) {
         }
         return largest;
     };
-    /// Goes around until nothing changes but by round-off. False if it does not settle.
+    /// Goes around until nothing changes but by round-off. None: it does not settle.
     const auto settle = [&](LimitBlock& block, auto&& after) {
         constexpr int kMaxSteps = 2000;
         LimitBlock next;
         double before = std::numeric_limits<double>::infinity();
         for (int i = 0; i < kMaxSteps; ++i) {
-            if (!around(block, next)) return false;
+            if (!around(block, next)) return LimitOutcome::Unknown;
             after(next);
             const double change = largest_change(block, next);
             std::swap(block, next);
-            if (change == 0 || (change < 1e-14 && change >= before)) return true;
-            if (!(change < 1e6)) return false;
+            if (change == 0 || (change < 1e-14 && change >= before)) return LimitOutcome::Known;
+            if (!(change < 1e6)) return LimitOutcome::None;
             before = change;
         }
-        return false;
+        return LimitOutcome::None;
     };
 
     CornerLimit result;
     LimitBlock limit;
     limit.Reset(n, 1);
     limit.Row(static_cast<Index>(start.corner))[0] = 1;
-    result.has_limit = settle(limit, [](LimitBlock& block) {
+    result.outcome = settle(limit, [](LimitBlock& block) {
         double sum = 0;
         for (double w : block.weights) sum += w;
         for (double& w : block.weights) w /= sum;
     });
-    if (!result.has_limit) return result;
+    if (result.outcome != LimitOutcome::Known) return result;
 
     // Differences along the root's edges at the corner, scaled up as they shrink. Round-off along the limit is taken
     // out, or it would grow.
@@ -522,13 +537,15 @@ CornerLimit LimitStates::MakeCorner(int number, std::size_t corner) {
         slopes.Row(static_cast<Index>(start.corner))[k] -= 1;
     }
     const double scale = std::ldexp(1.0, static_cast<int>(steps.size() - first));
-    result.has_derivatives = settle(slopes, [&](LimitBlock& block) {
+    const LimitOutcome slopes_settle = settle(slopes, [&](LimitBlock& block) {
         for (int k = 0; k < n_neighbors; ++k) {
             double sum = 0;
             for (Index v = 0; v < n; ++v) sum += block.Row(v)[k];
             for (Index v = 0; v < n; ++v) block.Row(v)[k] = scale * (block.Row(v)[k] - sum * limit.Row(v)[0]);
         }
     });
+    if (slopes_settle == LimitOutcome::Unknown) return {};
+    result.has_derivatives = slopes_settle == LimitOutcome::Known;
     result.block.Reset(n, result.has_derivatives ? 1 + d : 1);
     for (Index v = 0; v < n; ++v) result.block.Row(v)[0] = limit.Row(v)[0];
     if (result.has_derivatives) {
@@ -559,56 +576,55 @@ CornerLimit LimitStates::MakeCorner(int number, std::size_t corner) {
     // Back to the state asked for.
     LimitBlock pulled;
     for (std::size_t i = first; i-- > 0;) {
-        if (!Pull(*steps[i].next, result.block, At(steps[i].state).pocket.n_vertices(), pulled)) return {};
+        if (!Pull(*steps[i].next, result.block, steps[i].state->n_vertices, pulled)) return {};
         if (result.block.n_columns > 1) ChangeRows(steps[i].next->matrix, d, 1, pulled);
         std::swap(result.block, pulled);
     }
     return result;
 }
 
-void LimitStates::Evaluate(int number, const Place& place, int order, Scratch& scratch, LimitResult& result) {
+void LimitStates::Evaluate(LimitState& start, const Place& place, int order, Scratch& scratch, LimitResult& result) {
     // Deep enough for linear interpolation between limits of corners to be exact to round-off where these are smooth,
     // and where they are not, as deep as coordinates of doubles go.
     constexpr std::size_t kSmoothDepth = 26, kMaxDepth = 60;
     const int d = elements_ == Elements::Cells ? 3 : 2;
     scratch.path.clear();
     Matrix by{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    const int n_vertices = At(number).pocket.n_vertices();
-    result.has_limit = false;
+    result.outcome = LimitOutcome::Unknown;
     result.order = 0;
-    int s = number;
+    LimitState* s = &start;
     Coordinates at = place.at;
     LimitBlock& block = scratch.block;
     const auto columns_of = [&](int up_to) { return 1 + NDerivatives(elements_, up_to); };
     while (true) {
-        const State& state = At(s);
-        const Index n = state.pocket.n_vertices();
+        LimitState& state = *s;
+        const Index n = state.n_vertices;
         if (state.patch) {
             block.Reset(n, columns_of(order));
             state.patch->Evaluate(at, order, block);
-            result.has_limit = true;
+            result.outcome = LimitOutcome::Known;
             result.order = order;
             break;
         }
-        const std::vector<double> weights = CornerWeights(state.pocket.root, state.pocket.n_root_vertices, at);
-        const auto corner = std::find(weights.begin(), weights.end(), 1.0);
-        const bool is_corner = corner != weights.end();
+        const CornerWeights corners = WeightsOfCorners(state.pocket.root, state.pocket.n_root_vertices, at);
+        const std::span<const double> weights(corners.weights.data(), corners.n);
+        const bool is_corner = std::find(weights.begin(), weights.end(), 1.0) != weights.end();
         if (is_corner || scratch.path.size() >= kSmoothDepth) {
-            bool has_limits = true, has_derivatives = true;
+            result.outcome = LimitOutcome::Known;
+            bool has_derivatives = true;
             for (std::size_t i = 0; i < weights.size(); ++i) {
                 if (weights[i] == 0) continue;
-                const CornerLimit& limit = Corner(s, i);
-                has_limits = has_limits && limit.has_limit;
+                const CornerLimit& limit = Corner(*s, i);
+                result.outcome = std::max(result.outcome, limit.outcome);
                 has_derivatives = has_derivatives && limit.has_derivatives;
             }
-            if (is_corner || !has_limits || has_derivatives || scratch.path.size() >= kMaxDepth) {
-                result.has_limit = has_limits;
-                if (!has_limits) return;
+            if (result.outcome != LimitOutcome::Known) return;
+            if (is_corner || has_derivatives || scratch.path.size() >= kMaxDepth) {
                 result.order = std::min(order, has_derivatives ? 1 : 0);
                 block.Reset(n, columns_of(result.order));
                 for (std::size_t i = 0; i < weights.size(); ++i) {
                     if (weights[i] == 0) continue;
-                    const CornerLimit& limit = Corner(s, i);
+                    const CornerLimit& limit = Corner(*s, i);
                     for (Index v = 0; v < n; ++v) {
                         for (int c = 0; c < block.n_columns; ++c) block.Row(v)[c] += weights[i] * limit.block.Row(v)[c];
                     }
@@ -616,21 +632,21 @@ void LimitStates::Evaluate(int number, const Place& place, int order, Scratch& s
                 break;
             }
         }
-        const State& expanded = Expanded(s);
+        Expand(state);
         const Transition* next = nullptr;
         double deepest = -std::numeric_limits<double>::infinity();
         Coordinates next_at{};
-        for (const Transition& t : expanded.children) {
+        for (const Transition& t : state.children) {
             Coordinates x = t.shift;
             for (std::size_t r = 0; r < 3; ++r) {
                 for (std::size_t c = 0; c < 3; ++c) x[r] += t.matrix[r][c] * at[c];
             }
-            const Pocket& child = At(t.state).pocket;
-            const double depth = Depth(child.root, child.n_root_vertices, x);
+            const double depth = Depth(t.state->pocket.root, t.state->pocket.n_root_vertices, x);
             if (depth <= deepest) continue;
             deepest = depth;
             next = &t;
             next_at = x;
+            if (depth >= 0) break;
         }
         scratch.path.push_back(next);
         by = Multiply(next->matrix, by);
@@ -639,9 +655,9 @@ void LimitStates::Evaluate(int number, const Place& place, int order, Scratch& s
     }
     ChangeRows(by, d, result.order, block);
     for (std::size_t i = scratch.path.size(); i-- > 0;) {
-        const Index n = i == 0 ? n_vertices : static_cast<Index>(scratch.path[i - 1]->has_row.size());
+        const Index n = i == 0 ? start.n_vertices : scratch.path[i - 1]->state->n_vertices;
         if (!Pull(*scratch.path[i], block, n, result.block)) {
-            result.has_limit = false;
+            result.outcome = LimitOutcome::Unknown;
             return;
         }
         std::swap(block, result.block);
@@ -652,7 +668,7 @@ void LimitStates::Evaluate(int number, const Place& place, int order, Scratch& s
 Offset LimitStates::Bytes() const {
     std::shared_lock lock(mutex_);
     Offset bytes = 0;
-    for (const auto& state : states_) {
+    for (const auto& [key, state] : states_) {
         for (const Transition& t : state->children) {
             bytes += static_cast<Offset>(t.indices.size() * 12 + t.offsets.size() * 5);
         }

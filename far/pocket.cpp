@@ -180,20 +180,16 @@ Reach Reach::Of(const Sdc::Scheme& scheme, Elements elements) {
         [&]<class S>(const S& s) -> Reach {
             if constexpr (requires { s.surface(); }) {
                 if (decltype(s.surface())::kIsWide) {
-                    return {.is_wide = true, .edges_need_both_ends = true, .interpolates = true};
+                    return {.n_rings = 1, .edges_need_both_ends = true, .interpolates = true};
                 }
             }
             // Chaikin's means of sharpness are taken at both ends.
             const bool is_chaikin = CreaseOptionsOf(s).method == Sdc::CreasingMethod::Chaikin;
-            bool is_wide = is_chaikin, b_edges_only = false;
-            if (elements == Elements::Cells) {
-                if constexpr (std::is_same_v<S, Sdc::BoxSpline>) {
-                    b_edges_only = s.diagonals == Sdc::Diagonals::Directional;
-                    is_wide = is_wide || !b_edges_only;
-                }
-                if constexpr (std::is_same_v<S, Sdc::SmoothTet>) is_wide = true;
+            bool b_edges_only = false;
+            if constexpr (std::is_same_v<S, Sdc::BoxSpline>) {
+                b_edges_only = elements == Elements::Cells && s.diagonals == Sdc::Diagonals::Directional;
             }
-            return {.is_wide = is_wide, .b_edges_only = b_edges_only, .edges_need_both_ends = is_chaikin};
+            return {.n_rings = is_chaikin ? 1 : 0, .b_edges_only = b_edges_only, .edges_need_both_ends = is_chaikin};
         },
         scheme);
 }
@@ -259,8 +255,8 @@ class PocketMaker::Maker final : public PocketMaker::Base {
         opposite_edges_.clear();
         const auto corners = complex_.Vertices(root);
         for (Index v : corners) Complete(v);
-        if constexpr (std::is_same_v<Complex, TetOctCells>) AddAcrossTets();
-        if (reach_.is_wide) {
+        if constexpr (std::is_same_v<Complex, TetOctCells>) AddAcrossTets(corners);
+        for (int ring = 0; ring < reach_.n_rings; ++ring) {
             const std::size_t n = elements_.size();
             for (std::size_t i = 0; i < n; ++i) {
                 for (Index v : complex_.Vertices(elements_[i])) Complete(v);
@@ -307,40 +303,52 @@ class PocketMaker::Maker final : public PocketMaker::Base {
         if (std::exchange(element_mark_[static_cast<std::size_t>(c)], stamp_) != stamp_) elements_.push_back(c);
     }
 
-    /// Takes in the cells at those edges of tets that lie opposite to the root's. Where tets do not agree on the B edge
-    /// of their common face, the octahedra in them reach one edge further.
-    void AddAcrossTets() {
-        const std::size_t n = elements_.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            if (complex_.KindOf(elements_[i]) != RootKind::Tet) continue;
-            ForPairs(elements_[i], [&](Index a, Index b, Index c, Index d) {
-                if (IsComplete(a) && IsComplete(b)) TakeAtEdge(c, d);
-                if (IsComplete(c) && IsComplete(d)) TakeAtEdge(a, b);
-            });
+    /// Takes in the cells at those edges of tets that lie opposite to the root's vertices. Where B edges alone matter,
+    /// at those opposite to the root's edges: new points on such an edge look, past the octahedron in a tet beyond it,
+    /// at the B edge of that tet if it is another one, and so on around the root's vertex.
+    void AddAcrossTets(std::span<const Index> corners) {
+        if (!reach_.b_edges_only) {
+            const std::size_t n = elements_.size();
+            for (std::size_t i = 0; i < n; ++i) {
+                if (complex_.KindOf(elements_[i]) != RootKind::Tet) continue;
+                const auto t = complex_.Vertices(elements_[i]);
+                for (const auto& edge : Sdc::Tet::edges) TakeAtEdge(t[edge[0]], t[edge[1]]);
+            }
+            return;
         }
-        if (!reach_.b_edges_only) return;
-        const auto edges = opposite_edges_;
-        for (const auto& [x, y] : edges) {
-            ForElementsWith(x, y, [&](Index t) {
-                if (complex_.KindOf(t) != RootKind::Tet) return;
-                const auto v = complex_.Vertices(t);
-                const auto is_b_edge = [&](std::size_t i) {
-                    return (v[i] == x && v[i + 1] == y) || (v[i] == y && v[i + 1] == x);
-                };
-                if (is_b_edge(0) || is_b_edge(2)) return;
-                TakeAtEdge(v[0], v[1]);
-                TakeAtEdge(v[2], v[3]);
-            });
-        }
+        for (Index v : corners) AddAcrossVertex(v);
     }
-    /// Calls body(a, b, c, d) for the pairs of opposite edges ab, cd of a tet that matter.
-    template <class Body>
-    void ForPairs(Index t, Body&& body) const {
-        const auto v = complex_.Vertices(t);
-        body(v[0], v[1], v[2], v[3]);
-        if (reach_.b_edges_only) return;
-        body(v[0], v[2], v[1], v[3]);
-        body(v[0], v[3], v[1], v[2]);
+    void AddAcrossVertex(Index v) {
+        // Of a tet: the B edge that has v not.
+        const auto far_edge = [&](Index t) {
+            const auto w = complex_.Vertices(t);
+            return w[0] == v || w[1] == v ? std::array{w[2], w[3]} : std::array{w[0], w[1]};
+        };
+        const auto near_end = [&](Index t) {
+            const auto w = complex_.Vertices(t);
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (w[i] == v) return w[i ^ 1];
+            }
+            return v;
+        };
+        std::vector<std::array<Index, 2>> edges;
+        const auto add = [&](std::array<Index, 2> edge) {
+            if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+            if (std::find(edges.begin(), edges.end(), edge) != edges.end()) return;
+            edges.push_back(edge);
+            TakeAtEdge(edge[0], edge[1]);
+        };
+        complex_.ForElementsAt(v, [&](Index t) {
+            if (complex_.KindOf(t) == RootKind::Tet && IsComplete(near_end(t))) add(far_edge(t));
+        });
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const auto [a, b] = edges[i];
+            ForElementsWith(a, b, [&](Index t) {
+                const auto w = complex_.Vertices(t);
+                const bool has_v = std::find(w.begin(), w.end(), v) != w.end();
+                if (has_v && complex_.KindOf(t) == RootKind::Tet) add(far_edge(t));
+            });
+        }
     }
     template <class Body>
     void ForElementsWith(Index a, Index b, Body&& body) const {

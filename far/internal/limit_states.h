@@ -7,8 +7,6 @@
 // the second place in it costs a few products of short rows.
 #pragma once
 
-#include <atomic>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
@@ -19,13 +17,15 @@
 
 namespace SolidSubdiv::Far::Internal {
 
+struct LimitState;
+
 /// From a pocket's vertices to those of a child of its root, and the other way for coordinates.
 struct Transition {
-    int state = -1;               ///< of the child
+    LimitState* state = nullptr;  ///< of the child
     std::vector<Index> children;  ///< local vertices of the root that the child has as well, by its own; else kNoIndex
     // Rows of the child's vertices; where there is none, the pocket does not know.
-    std::vector<Index> offsets, indices;
-    std::vector<double> weights;
+    Array<Index> offsets, indices;
+    Array<double> weights;
     std::vector<char> has_row;
     /// The child's coordinates at a place x of the root: matrix x + shift.
     std::array<std::array<double, 3>, 3> matrix{};
@@ -39,25 +39,32 @@ struct PartHalf {
     std::array<double, 3> shift{};
 };
 
+enum class LimitOutcome {
+    Known,
+    None,    ///< there is no limit
+    Unknown  ///< the pocket is too small to say
+};
+
 /// Limit and derivatives at one vertex of the root.
 struct CornerLimit {
-    bool has_limit = false, has_derivatives = false;
+    LimitOutcome outcome = LimitOutcome::Unknown;
+    bool has_derivatives = false;
     LimitBlock block;  ///< of the pocket's vertices, first derivatives included
 };
 
 struct LimitResult {
-    bool has_limit = false;
+    LimitOutcome outcome = LimitOutcome::Unknown;
     int order = 0;     ///< up to which derivatives are there
     LimitBlock block;  ///< of the vertices of the pocket that it was asked of
 };
 
 class LimitStates {
   public:
-    LimitStates(const Sdc::Scheme& scheme, Elements elements);
+    LimitStates(const Sdc::Scheme& scheme, Elements elements, const Reach& reach);
     ~LimitStates();
 
-    /// The state of a pocket. Any thread.
-    int Find(const Pocket& pocket);
+    /// The state of a pocket: valid while this lives. Any thread.
+    LimitState& Find(const Pocket& pocket);
 
     /// Room that a thread needs.
     struct Scratch {
@@ -65,20 +72,18 @@ class LimitStates {
         LimitBlock block;
     };
     /// Weights at a place of the root of a state's pocket, and derivatives up to `order`. Any thread.
-    void Evaluate(int state, const Place& place, int order, Scratch& scratch, LimitResult& result);
+    void Evaluate(LimitState& state, const Place& place, int order, Scratch& scratch, LimitResult& result);
 
     std::size_t n_states() const;
     /// Bytes of all that is kept.
     Offset Bytes() const;
 
   private:
-    struct State;
     class Expander;
 
-    const State& Expanded(int state);
-    const CornerLimit& Corner(int state, std::size_t corner);
-    CornerLimit MakeCorner(int state, std::size_t corner);
-    State& At(int state);
+    void Expand(LimitState& state);
+    const CornerLimit& Corner(LimitState& state, std::size_t corner);
+    CornerLimit MakeCorner(LimitState& state, std::size_t corner);
 
     const Sdc::Scheme scheme_;
     const Elements elements_;
@@ -88,8 +93,7 @@ class LimitStates {
         std::size_t operator()(const std::vector<std::int32_t>& key) const;
     };
     mutable std::shared_mutex mutex_;  // of the list of states; each state has its own for what it holds
-    std::unordered_map<std::vector<std::int32_t>, int, KeyHash> numbers_;
-    std::deque<std::unique_ptr<State>> states_;
+    std::unordered_map<std::vector<std::int32_t>, std::unique_ptr<LimitState>, KeyHash> states_;
 };
 
 }  // namespace SolidSubdiv::Far::Internal

@@ -21,16 +21,17 @@ namespace SolidSubdiv::Far::Internal {
 
 /// How far a scheme looks.
 struct Reach {
-    /// All cells at the element's vertices are needed, and those at edges of tets opposite to its edges; wide: all at
-    /// the vertices of those.
-    bool is_wide = false;
-    /// Of a tet's three pairs of opposite edges the B edges alone matter.
+    /// 0: all cells at the element's vertices, and those at edges of tets opposite to them; each more: all at the
+    /// vertices of the cells before.
+    int n_rings = 0;
+    /// Of edges opposite to an element's vertices those alone matter that are B edges of tets there.
     bool b_edges_only = false;
     /// A new point on an edge depends on what is around both ends, not just on the elements that have the edge.
     bool edges_need_both_ends = false;
     /// Vertices stay, and new points look beyond the elements that have their edge or octahedron.
     bool interpolates = false;
 
+    /// What does nearly everywhere. A place that needs more says so (LimitOutcome::Unknown): then add a ring.
     static Reach Of(const Sdc::Scheme& scheme, Elements elements);
 };
 

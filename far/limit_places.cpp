@@ -40,6 +40,11 @@ class LimitStatesBySize {
         return reach;
     }
     Internal::LimitStates& operator[](int size) { return *states_[static_cast<std::size_t>(size)]; }
+    Offset Bytes() const {
+        Offset bytes = 0;
+        for (const auto& states : states_) bytes += states->Bytes();
+        return bytes;
+    }
 
   private:
     const Internal::Reach least_;
@@ -134,7 +139,8 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
                            " need its full topology: refine with full_topology_in_last_level");
     }
     const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, options.level + 1).back();
-    LimitStatesBySize states(scheme, options.elements);
+    constexpr Offset kMostBytes = Offset{1} << 30;  // of states that are kept: then they are found anew
+    std::optional<LimitStatesBySize> states;
 
     // Places in one element follow each other.
     const Offset n = static_cast<Offset>(places.size());
@@ -147,19 +153,33 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
     const Offset n_chunks = (n + kChunk - 1) / kChunk;
     const int n_columns = 1 + Internal::NDerivatives(options.elements, options.order);
     std::vector<RowsOfChunk> chunks(static_cast<std::size_t>(n_chunks));
-    const Offset n_threads = std::min<Offset>(Sdc::ThreadCount(), std::max<Offset>(n_chunks, 1));
-    std::atomic<Offset> next_chunk{0};
-    Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
-        for (Offset thread = begin; thread < end; ++thread) {
-            PlaceRowMaker maker(refiner, sharpness, options, states);
-            for (Offset c = next_chunk++; c < n_chunks; c = next_chunk++) {
-                for (Offset i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
-                    maker.Add(places[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], n_columns,
-                              chunks[static_cast<std::size_t>(c)]);
+    const Offset n_threads = Sdc::ThreadCount();
+    std::vector<PlaceRowMaker> makers;
+    const auto start = [&] {  // with no states
+        makers.clear();
+        states.emplace(scheme, options.elements);
+        for (Offset i = 0; i < n_threads; ++i) makers.emplace_back(refiner, sharpness, options, *states);
+    };
+    start();
+    const Offset wave = 16 * n_threads;
+    for (Offset first = 0; first < n_chunks; first += wave) {
+        Report(options.progress, "limit rows", static_cast<double>(first) / static_cast<double>(n_chunks));
+        if (states->Bytes() > kMostBytes) start();
+        std::atomic<Offset> next_chunk{first};
+        const Offset end_chunk = std::min(n_chunks, first + wave);
+        Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
+            for (Offset thread = begin; thread < end; ++thread) {
+                for (Offset c = next_chunk++; c < end_chunk; c = next_chunk++) {
+                    for (Offset i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
+                        makers[static_cast<std::size_t>(thread)].Add(
+                            places[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], n_columns,
+                            chunks[static_cast<std::size_t>(c)]);
+                    }
                 }
             }
-        }
-    });
+        });
+    }
+    Report(options.progress, "limit rows", 1.0);
 
     LimitStencilTable table;
     table.rows_.n_sources = refiner.n_vertices(options.level);
@@ -195,8 +215,6 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
             chunk = {};
         }
     });
-    if (getenv("DBG"))
-        for (int i = 0; i < 4; ++i) fprintf(stderr, "size %d: %zu states\n", i, states[i].n_states());
     for (std::size_t i = 0; i < orders.size(); ++i) {
         if (orders[i] >= options.order) continue;
         const std::string name = "place " + std::to_string(i);

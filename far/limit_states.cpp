@@ -114,7 +114,7 @@ CornerWeights WeightsOfCorners(RootKind kind, Index n, const Coordinates& at) {
 }
 
 /// Ends of the root's edges at one of its corners.
-std::vector<Index> NeighborsOf(const Pocket& pocket, Index corner) {
+std::vector<Index> NeighborsOf(RootKind root, Index n_root_vertices, Index corner) {
     std::vector<Index> neighbors;
     const auto add = [&](const auto& edges) {
         for (const auto& e : edges) {
@@ -122,7 +122,7 @@ std::vector<Index> NeighborsOf(const Pocket& pocket, Index corner) {
             if (e[1] == corner) neighbors.push_back(e[0]);
         }
     };
-    switch (pocket.root) {
+    switch (root) {
         case RootKind::Tet:
             add(Sdc::Tet::edges);
             break;
@@ -135,8 +135,7 @@ std::vector<Index> NeighborsOf(const Pocket& pocket, Index corner) {
             add(Sdc::Hex::edges);
             break;
         default:
-            neighbors = {(corner + 1) % pocket.n_root_vertices,
-                         (corner + pocket.n_root_vertices - 1) % pocket.n_root_vertices};
+            neighbors = {(corner + 1) % n_root_vertices, (corner + n_root_vertices - 1) % n_root_vertices};
     }
     return neighbors;
 }
@@ -144,11 +143,16 @@ std::vector<Index> NeighborsOf(const Pocket& pocket, Index corner) {
 }  // namespace
 
 struct LimitState {
-    Pocket pocket;
-    Index n_vertices = 0;
+    explicit LimitState(const Pocket& p)
+        : root(p.root), n_root_vertices(p.n_root_vertices), n_vertices(p.n_vertices()), pocket(p) {}
+
+    const RootKind root;
+    const Index n_root_vertices, n_vertices;
+    Pocket pocket;  // until it is expanded
     std::optional<RegularPatch> patch;
     std::once_flag expansion, corner_flags[8];
     std::vector<Transition> children;
+    RowsOfChildren rows;
     std::vector<std::array<PartHalf, 2>> parts;  // of a polyhedron
     std::vector<CornerLimit> corners;
 };
@@ -156,7 +160,8 @@ struct LimitState {
 /// Splits a pocket and finds what its root's children need.
 class LimitStates::Expander {
   public:
-    Expander(LimitStates& states, const Pocket& pocket) : states_(states), pocket_(pocket) {}
+    Expander(LimitStates& states, const Pocket& pocket, RowsOfChildren& rows)
+        : states_(states), pocket_(pocket), table_(rows) {}
 
     std::vector<Transition> Run() { return pocket_.is_tet_oct ? RunTetOct() : RunPolyhedral(); }
 
@@ -228,8 +233,15 @@ class LimitStates::Expander {
             SetCoordinates(parent, pockets.back(), t);
             t.state = &states_.Find(pockets.back());
         }
+        std::vector<Index> number(static_cast<std::size_t>(child.n_vertices), kNoIndex);
         const auto fill = [&](const auto& rows) {
-            for (std::size_t i = 0; i < transitions.size(); ++i) FillRows(parent, rows, pockets[i], transitions[i]);
+            for (std::size_t i = 0; i < transitions.size(); ++i) {
+                for (Index v : pockets[i].vertices) {
+                    Index& row = number[static_cast<std::size_t>(v)];
+                    if (row == kNoIndex && IsKnown(parent, v)) row = AddRow(rows, v);
+                    transitions[i].rows.push_back(row);
+                }
+            }
         };
         if constexpr (std::is_same_v<AnyLevel, Level>) {
             WithTetOctScheme(states_.scheme_, [&]<class S>(const S& s) { fill(Rows<S>(parent, sharpness, s)); });
@@ -322,63 +334,64 @@ class LimitStates::Expander {
         }
     }
 
-    template <class AnyLevel, class AnyRows>
-    void FillRows(const AnyLevel& parent, const AnyRows& rows, const Pocket& child, Transition& t) {
-        t.offsets = {0};
-        for (Index v : child.vertices) {
-            bool is_known = false;
-            WithFeature(parent, v, [&](Feature f, std::span<const Index> from) { is_known = IsKnown(f, from); });
-            t.has_row.push_back(is_known);
-            if (is_known) {
-                row_.Read(rows, v);
-                t.indices.insert(t.indices.end(), row_.Indices().begin(), row_.Indices().end());
-                t.weights.insert(t.weights.end(), row_.Weights().begin(), row_.Weights().end());
-            }
-            t.offsets.push_back(static_cast<Index>(t.indices.size()));
-        }
+    template <class AnyLevel>
+    bool IsKnown(const AnyLevel& parent, Index child) const {
+        bool is_known = false;
+        WithFeature(parent, child, [&](Feature f, std::span<const Index> from) { is_known = IsKnown(f, from); });
+        return is_known;
+    }
+    template <class AnyRows>
+    Index AddRow(const AnyRows& rows, Index child) {
+        row_.Read(rows, child);
+        table_.indices.insert(table_.indices.end(), row_.Indices().begin(), row_.Indices().end());
+        table_.weights.insert(table_.weights.end(), row_.Weights().begin(), row_.Weights().end());
+        table_.offsets.push_back(static_cast<std::uint32_t>(table_.indices.size()));
+        return static_cast<Index>(table_.offsets.size()) - 2;
     }
 
     LimitStates& states_;
     const Pocket& pocket_;
+    RowsOfChildren& table_;
     RowBuffer<double> row_;
 };
 
 namespace {
 
 template <int kColumns>
-bool PullColumns(const Transition& t, const LimitBlock& child, LimitBlock& parent) {
-    const std::size_t n = t.has_row.size();
+bool PullColumns(const RowsOfChildren& table, const Transition& t, const LimitBlock& child, LimitBlock& parent) {
     const double* from = child.weights.data();
-    for (std::size_t i = 0; i < n; ++i, from += kColumns) {
+    for (const Index row : t.rows) {
         bool is_zero = true;
         for (int c = 0; c < kColumns; ++c) is_zero = is_zero && from[c] == 0;
-        if (is_zero) continue;
-        if (!t.has_row[i]) return false;
-        for (Index k = t.offsets[i]; k < t.offsets[i + 1]; ++k) {
-            double* to = parent.weights.data() + kColumns * static_cast<std::size_t>(t.indices[k]);
-            for (int c = 0; c < kColumns; ++c) to[c] += t.weights[k] * from[c];
+        if (!is_zero) {
+            if (row == kNoIndex) return false;
+            for (std::uint32_t k = table.offsets[row]; k < table.offsets[row + 1]; ++k) {
+                double* to = parent.weights.data() + kColumns * static_cast<std::size_t>(table.indices[k]);
+                for (int c = 0; c < kColumns; ++c) to[c] += table.weights[k] * from[c];
+            }
         }
+        from += kColumns;
     }
     return true;
 }
 
 /// Rows of a child's vertices made rows of its parent's. False where a row that counts is not known.
-bool Pull(const Transition& t, const LimitBlock& child, Index n_vertices, LimitBlock& parent) {
-    parent.Reset(n_vertices, child.n_columns);
+bool Pull(const LimitState& state, const Transition& t, const LimitBlock& child, LimitBlock& parent) {
+    parent.Reset(state.n_vertices, child.n_columns);
     switch (child.n_columns) {
         case 1:
-            return PullColumns<1>(t, child, parent);
+            return PullColumns<1>(state.rows, t, child, parent);
         case 2:
-            return PullColumns<2>(t, child, parent);
+            return PullColumns<2>(state.rows, t, child, parent);
         case 3:
-            return PullColumns<3>(t, child, parent);
+            return PullColumns<3>(state.rows, t, child, parent);
         case 4:
-            return PullColumns<4>(t, child, parent);
+            return PullColumns<4>(state.rows, t, child, parent);
         case 6:
-            return PullColumns<6>(t, child, parent);
+            return PullColumns<6>(state.rows, t, child, parent);
         default:
             assert(child.n_columns == 10);
-            return PullColumns<10>(t, child, parent);
+            return PullColumns<10>(state.rows, t, child, parent);
     }
 }
 
@@ -424,11 +437,10 @@ LimitState& LimitStates::Find(const Pocket& pocket) {
         std::shared_lock lock(mutex_);
         if (const auto found = states_.find(key); found != states_.end()) return *found->second;
     }
-    auto state = std::make_unique<LimitState>();
-    state->pocket = pocket;
-    state->n_vertices = pocket.n_vertices();
+    auto state = std::make_unique<LimitState>(pocket);
     state->patch = RegularPatch::Find(pocket, regular_);
     state->corners.resize(static_cast<std::size_t>(pocket.n_root_vertices));
+    bytes_ += static_cast<Offset>(key.size() * 2 * sizeof(std::int32_t) + sizeof(LimitState));
     std::unique_lock lock(mutex_);
     return *states_.emplace(std::move(key), std::move(state)).first->second;
 }
@@ -439,7 +451,13 @@ std::size_t LimitStates::n_states() const {
 }
 
 void LimitStates::Expand(LimitState& state) {
-    std::call_once(state.expansion, [&] { state.children = Expander(*this, state.pocket).Run(); });
+    std::call_once(state.expansion, [&] {
+        state.children = Expander(*this, state.pocket, state.rows).Run();
+        state.pocket = {};
+        Offset bytes = state.rows.Bytes();
+        for (const Transition& t : state.children) bytes += static_cast<Offset>(t.rows.size() * sizeof(Index));
+        bytes_ += bytes;
+    });
 }
 
 const CornerLimit& LimitStates::Corner(LimitState& state, std::size_t corner) {
@@ -479,12 +497,13 @@ CornerLimit LimitStates::MakeCorner(LimitState& asked, std::size_t corner) {
 
     const int d = elements_ == Elements::Cells ? 3 : 2;
     const Step& start = steps[first];
-    const Pocket& pocket = start.state->pocket;
-    const Index n = pocket.n_vertices();
+    const RootKind root = start.state->root;
+    const Index n_root_vertices = start.state->n_root_vertices;
+    const Index n = start.state->n_vertices;
     const auto around = [&](const LimitBlock& from, LimitBlock& to) {  // once around the cycle
         LimitBlock here = from;
         for (std::size_t i = steps.size(); i-- > first;) {
-            if (!Pull(*steps[i].next, here, steps[i].state->n_vertices, to)) return false;
+            if (!Pull(*steps[i].state, *steps[i].next, here, to)) return false;
             std::swap(here, to);
         }
         std::swap(here, to);
@@ -527,8 +546,8 @@ CornerLimit LimitStates::MakeCorner(LimitState& asked, std::size_t corner) {
 
     // Differences along the root's edges at the corner, scaled up as they shrink. Round-off along the limit is taken
     // out, or it would grow.
-    const std::vector<Coordinates> corners = CornersOf(pocket.root, pocket.n_root_vertices);
-    const std::vector<Index> neighbors = NeighborsOf(pocket, static_cast<Index>(start.corner));
+    const std::vector<Coordinates> corners = CornersOf(root, n_root_vertices);
+    const std::vector<Index> neighbors = NeighborsOf(root, n_root_vertices, static_cast<Index>(start.corner));
     const int n_neighbors = static_cast<int>(neighbors.size());
     LimitBlock slopes;
     slopes.Reset(n, n_neighbors);
@@ -576,7 +595,7 @@ CornerLimit LimitStates::MakeCorner(LimitState& asked, std::size_t corner) {
     // Back to the state asked for.
     LimitBlock pulled;
     for (std::size_t i = first; i-- > 0;) {
-        if (!Pull(*steps[i].next, result.block, steps[i].state->n_vertices, pulled)) return {};
+        if (!Pull(*steps[i].state, *steps[i].next, result.block, pulled)) return {};
         if (result.block.n_columns > 1) ChangeRows(steps[i].next->matrix, d, 1, pulled);
         std::swap(result.block, pulled);
     }
@@ -606,7 +625,7 @@ void LimitStates::Evaluate(LimitState& start, const Place& place, int order, Scr
             result.order = order;
             break;
         }
-        const CornerWeights corners = WeightsOfCorners(state.pocket.root, state.pocket.n_root_vertices, at);
+        const CornerWeights corners = WeightsOfCorners(state.root, state.n_root_vertices, at);
         const std::span<const double> weights(corners.weights.data(), corners.n);
         const bool is_corner = std::find(weights.begin(), weights.end(), 1.0) != weights.end();
         if (is_corner || scratch.path.size() >= kSmoothDepth) {
@@ -641,7 +660,7 @@ void LimitStates::Evaluate(LimitState& start, const Place& place, int order, Scr
             for (std::size_t r = 0; r < 3; ++r) {
                 for (std::size_t c = 0; c < 3; ++c) x[r] += t.matrix[r][c] * at[c];
             }
-            const double depth = Depth(t.state->pocket.root, t.state->pocket.n_root_vertices, x);
+            const double depth = Depth(t.state->root, t.state->n_root_vertices, x);
             if (depth <= deepest) continue;
             deepest = depth;
             next = &t;
@@ -655,25 +674,14 @@ void LimitStates::Evaluate(LimitState& start, const Place& place, int order, Scr
     }
     ChangeRows(by, d, result.order, block);
     for (std::size_t i = scratch.path.size(); i-- > 0;) {
-        const Index n = i == 0 ? start.n_vertices : scratch.path[i - 1]->state->n_vertices;
-        if (!Pull(*scratch.path[i], block, n, result.block)) {
+        const LimitState& parent = i == 0 ? start : *scratch.path[i - 1]->state;
+        if (!Pull(parent, *scratch.path[i], block, result.block)) {
             result.outcome = LimitOutcome::Unknown;
             return;
         }
         std::swap(block, result.block);
     }
     std::swap(block, result.block);
-}
-
-Offset LimitStates::Bytes() const {
-    std::shared_lock lock(mutex_);
-    Offset bytes = 0;
-    for (const auto& [key, state] : states_) {
-        for (const Transition& t : state->children) {
-            bytes += static_cast<Offset>(t.indices.size() * 12 + t.offsets.size() * 5);
-        }
-    }
-    return bytes;
 }
 
 }  // namespace SolidSubdiv::Far::Internal

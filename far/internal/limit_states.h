@@ -7,6 +7,7 @@
 // the second place in it costs a few products of short rows.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
@@ -19,14 +20,23 @@ namespace SolidSubdiv::Far::Internal {
 
 struct LimitState;
 
+/// Rows of points of a pocket's split over its vertices.
+struct RowsOfChildren {
+    Array<std::uint32_t> offsets{0};
+    Array<std::uint16_t> indices;
+    Array<double> weights;
+
+    Offset Bytes() const {
+        return static_cast<Offset>(offsets.size() * sizeof(std::uint32_t) +
+                                   indices.size() * (sizeof(std::uint16_t) + sizeof(double)));
+    }
+};
+
 /// From a pocket's vertices to those of a child of its root, and the other way for coordinates.
 struct Transition {
     LimitState* state = nullptr;  ///< of the child
     std::vector<Index> children;  ///< local vertices of the root that the child has as well, by its own; else kNoIndex
-    // Rows of the child's vertices; where there is none, the pocket does not know.
-    Array<Index> offsets, indices;
-    Array<double> weights;
-    std::vector<char> has_row;
+    std::vector<Index> rows;      ///< of the child's vertices, among RowsOfChildren; kNoIndex: the pocket does not know
     /// The child's coordinates at a place x of the root: matrix x + shift.
     std::array<std::array<double, 3>, 3> matrix{};
     std::array<double, 3> shift{};
@@ -75,8 +85,8 @@ class LimitStates {
     void Evaluate(LimitState& state, const Place& place, int order, Scratch& scratch, LimitResult& result);
 
     std::size_t n_states() const;
-    /// Bytes of all that is kept.
-    Offset Bytes() const;
+    /// About the bytes of all that is kept.
+    Offset Bytes() const { return bytes_; }
 
   private:
     class Expander;
@@ -92,6 +102,7 @@ class LimitStates {
     struct KeyHash {
         std::size_t operator()(const std::vector<std::int32_t>& key) const;
     };
+    std::atomic<Offset> bytes_{0};
     mutable std::shared_mutex mutex_;  // of the list of states; each state has its own for what it holds
     std::unordered_map<std::vector<std::int32_t>, std::unique_ptr<LimitState>, KeyHash> states_;
 };

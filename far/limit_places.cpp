@@ -96,7 +96,7 @@ class PlaceRowMaker {
             size.pocket = size.maker->Make(element_);
             size.state = &states_[i].Find(size.pocket);
         }
-        states_[i].Evaluate(*size.state, place, options_.order, scratch_, result_);
+        states_[i].Evaluate(*size.state, place, options_.order, options_.tangents, scratch_, result_);
     }
 
     void Append(const Internal::Pocket& pocket, int n_columns, RowsOfChunk& rows) const {

@@ -13,54 +13,11 @@
 #include <shared_mutex>
 #include <unordered_map>
 
-#include <solidsubdiv/far/internal/pocket.h>
-#include <solidsubdiv/far/internal/regular_patch.h>
+#include <solidsubdiv/far/internal/limit_state.h>
 
 namespace SolidSubdiv::Far::Internal {
 
 struct LimitState;
-
-/// Rows of points of a pocket's split over its vertices.
-struct RowsOfChildren {
-    Array<std::uint32_t> offsets{0};
-    Array<std::uint16_t> indices;
-    Array<double> weights;
-
-    Offset Bytes() const {
-        return static_cast<Offset>(offsets.size() * sizeof(std::uint32_t) +
-                                   indices.size() * (sizeof(std::uint16_t) + sizeof(double)));
-    }
-};
-
-/// From a pocket's vertices to those of a child of its root, and the other way for coordinates.
-struct Transition {
-    LimitState* state = nullptr;  ///< of the child
-    std::vector<Index> children;  ///< local vertices of the root that the child has as well, by its own; else kNoIndex
-    std::vector<Index> rows;      ///< of the child's vertices, among RowsOfChildren; kNoIndex: the pocket does not know
-    /// The child's coordinates at a place x of the root: matrix x + shift.
-    std::array<std::array<double, 3>, 3> matrix{};
-    std::array<double, 3> shift{};
-};
-
-/// How a part of a polyhedron (see place.h) lies in the child at its corner, and in the one at the next corner.
-struct PartHalf {
-    int child = -1;  ///< of the root; -1: one that is no hexahedron either
-    std::array<std::array<double, 3>, 3> matrix{};
-    std::array<double, 3> shift{};
-};
-
-enum class LimitOutcome {
-    Known,
-    None,    ///< there is no limit
-    Unknown  ///< the pocket is too small to say
-};
-
-/// Limit and derivatives at one vertex of the root.
-struct CornerLimit {
-    LimitOutcome outcome = LimitOutcome::Unknown;
-    bool has_derivatives = false;
-    LimitBlock block;  ///< of the pocket's vertices, first derivatives included
-};
 
 struct LimitResult {
     LimitOutcome outcome = LimitOutcome::Unknown;
@@ -82,14 +39,16 @@ class LimitStates {
         LimitBlock block;
     };
     /// Weights at a place of the root of a state's pocket, and derivatives up to `order`. Any thread.
-    void Evaluate(LimitState& state, const Place& place, int order, Scratch& scratch, LimitResult& result);
+    /// @param tangents at corners of faces, tangents instead of derivatives
+    void Evaluate(LimitState& state, const Place& place, int order, bool tangents, Scratch& scratch,
+                  LimitResult& result);
 
     std::size_t n_states() const;
     /// About the bytes of all that is kept.
     Offset Bytes() const { return bytes_; }
 
   private:
-    class Expander;
+    friend class LimitExpansion;
 
     void Expand(LimitState& state);
     const CornerLimit& Corner(LimitState& state, std::size_t corner);

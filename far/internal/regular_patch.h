@@ -37,6 +37,12 @@ int NDerivatives(Elements elements, int order);
 void ChangeCoordinates(const std::array<std::array<double, 3>, 3>& by, int dimension, int order, std::size_t n,
                        double* weights);
 
+/// Corners of a quadrilateral or a hexahedron in the order of axes: bit a of the place is coordinate a.
+std::vector<Index> InAxes(std::span<const Index> corners);
+
+/// The four tets of an octahedron around its major diagonal, by which of (v2, v3) and (v4, v5) they have.
+constexpr std::size_t kQuarters = 4;
+
 class RegularPatch {
   public:
     /// Nothing where the pocket is not regular.

@@ -27,6 +27,7 @@ Race RacePipelinesFresh(const RaceSettings& settings);
 Race RacePipelinesKept(const RaceSettings& settings);
 Race RaceInterpolatory(const RaceSettings& settings);
 Race RaceEvaluation(const RaceSettings& settings);
+Race RaceLocation(const RaceSettings& settings);
 
 struct RaceEntry {
     const char* name;
@@ -46,6 +47,7 @@ inline constexpr RaceEntry kRaces[] = {
     {"pipelines-kept", &RacePipelinesKept},
     {"interpolatory", &RaceInterpolatory},
     {"evaluation", &RaceEvaluation},
+    {"location", &RaceLocation},
 };
 
 }  // namespace SolidSubdiv::Perf

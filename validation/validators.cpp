@@ -74,6 +74,12 @@ constexpr std::array kValidators = {
               "share of matched faces that `matched` reaches: 100 % on shuffled blocks of the lattice, 75 % on "
               "models; errors are what lacks",
               0, "the shares are the aims themselves; counts are whole numbers", ValidateDiagonals},
+    Validator{"location",
+              "evaluate, locate, compare: random places in level 2 of real lattices, 200,000 each; none is lost, and "
+              "located ones have the same points, over the largest coordinate",
+              3e-14,
+              "the locator's own tolerance, 64 units of rounding (1.4e-14), and as much for the sums of both points",
+              ValidateLocation},
     Validator{"spectra",
               "eigenvalues of the local subdivision matrices in the regular lattice and inside control faces = "
               "those quoted, less their rounding",

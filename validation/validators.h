@@ -66,6 +66,7 @@ Findings ValidateTricubicRegular(const Context& context);
 Findings ValidateCellAveraging(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
+Findings ValidateLocation(const Context& context);
 Findings ValidateSpectra(const Context& context);
 Findings ValidateVtkReader(const Context& context);
 

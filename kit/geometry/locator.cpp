@@ -5,6 +5,7 @@
 #include <solidsubdiv/kit/geometry/internal/box_tree.h>
 #include <solidsubdiv/kit/geometry/internal/cell_places.h>
 #include <solidsubdiv/kit/geometry/internal/curve_order.h>
+#include <solidsubdiv/kit/geometry/internal/usable_positions.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 #include <string>
@@ -17,21 +18,11 @@ namespace {
 
 constexpr Offset kGrain = 1024, kOutsideGrain = 16, kAtATime = 16;
 constexpr Offset kBlock = Offset{1} << 20;  // between two reports of progress
-constexpr double kLargest = 1e75;           // fourth powers of coordinates must not overflow
-
-/// @throws InvalidInput naming the first row that can't be used
-void RequireUsable(std::span<const double> positions, const char* what) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (std::abs(positions[i]) <= kLargest) continue;
-        throw InvalidInput(std::string(what) + " " + std::to_string(i / 3) + ": coordinate " + std::to_string(i % 3) +
-                           " is " + std::to_string(positions[i]) + ", not finite or beyond 1e75");
-    }
-}
 
 }  // namespace
 
 void LocateOptions::Validate() const {
-    if (!(tolerance >= 0 && tolerance <= kLargest)) {
+    if (!(tolerance >= 0 && tolerance <= kLargestCoordinate)) {
         throw InvalidInput("tolerance is " + std::to_string(tolerance) + "; must be 0 or more, at most 1e75");
     }
 }
@@ -62,7 +53,8 @@ struct Locator::State {
             largest = std::max(largest, std::abs(positions[i]));
         }
         middle = {0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
-        const double half = 0.5 * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1 / kLargest});
+        const double half =
+            0.5 * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1 / kLargestCoordinate});
         scale = std::exp2(-std::ceil(std::log2(half)));
         round_off = 64 * std::numeric_limits<double>::epsilon() * largest;
     }
@@ -133,16 +125,8 @@ struct Locator::State {
 };
 
 Locator::Locator(const Far::TopologyRefiner& refiner, int level, std::span<const double> positions) {
-    if (level < 0 || level > refiner.max_level()) {
-        throw InvalidInput("level " + std::to_string(level) + " to locate points in: the refiner's last is " +
-                           std::to_string(refiner.max_level()));
-    }
-    if (positions.size() != 3 * static_cast<std::size_t>(refiner.n_vertices(level))) {
-        throw InvalidInput(std::to_string(positions.size()) + " numbers for the positions of " +
-                           std::to_string(refiner.n_vertices(level)) + " vertices; must be three a vertex");
-    }
+    RequirePositionsOfLevel(refiner, level, positions);
     if (refiner.n_cells(level) == 0) throw InvalidInput("there are no cells to locate points in");
-    RequireUsable(positions, "vertex");
     state_ = std::make_unique<State>(State{.cells = CellPlaces(refiner, level, positions)});
     state_->MeasureVertices(positions);
     state_->MakeTree(positions);

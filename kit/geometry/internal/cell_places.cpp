@@ -10,14 +10,16 @@ TetCorners OctPart(const std::array<Vec3, 6>& corners, int quadrant) {
     return {corners[0], corners[1], corners[quadrant & 1 ? 3 : 2], corners[quadrant & 2 ? 5 : 4]};
 }
 
-PolyhedronParts::PolyhedronParts(const Vtr::Polyhedra& cells, Index cell, std::span<const double> positions) {
+PolyhedronParts::PolyhedronParts(const Vtr::Polyhedra& cells, Index cell, std::span<const double> positions,
+                                 const Vec3& origin) {
+    const auto point = [&](Index v) { return PointAt(positions, v) - origin; };
     const Offset first = cells.offsets[cell], last = cells.offsets[cell + 1];
     std::vector<Index> vertices(cells.face_vertices.begin() + cells.face_vertex_offsets[first],
                                 cells.face_vertices.begin() + cells.face_vertex_offsets[last]);
     corners_.reserve(vertices.size());
     for (Offset f = first; f < last; ++f) {
         const Offset begin = cells.face_vertex_offsets[f], n = cells.face_vertex_offsets[f + 1] - begin;
-        const auto corner = [&](Offset k) { return PointAt(positions, cells.face_vertices[begin + k % n]); };
+        const auto corner = [&](Offset k) { return point(cells.face_vertices[begin + k % n]); };
         Vec3 face{};
         for (Offset k = 0; k < n; ++k) face = face + (1.0 / static_cast<double>(n)) * corner(k);
         for (Offset k = 0; k < n; ++k) corners_.push_back({face, corner(k), corner(k + 1)});
@@ -25,7 +27,7 @@ PolyhedronParts::PolyhedronParts(const Vtr::Polyhedra& cells, Index cell, std::s
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (Index v : vertices) {
-        centroid_ = centroid_ + (1 / static_cast<double>(vertices.size())) * PointAt(positions, v);
+        centroid_ = centroid_ + (1 / static_cast<double>(vertices.size())) * point(v);
     }
 }
 
@@ -87,10 +89,10 @@ CellPlace CellPlaces::Find(Index cell, const Vec3& point, double scale, InTet&& 
         take(found, 0, {found.at.x, found.at.y, found.at.z});
         return best;
     }
-    const PolyhedronParts parts(l.polyhedra, cell - l.n_hexes, positions_);
+    const PolyhedronParts parts(l.polyhedra, cell - l.n_hexes, positions_, point);
     for (Index part = 0; part < parts.n_parts(); ++part) {
         TetCorners corners = parts.Part(part);
-        for (Vec3& c : corners) c = relative(c);
+        for (Vec3& c : corners) c = scale * c;
         const Nearest found = in_tet(corners);
         if (take(found, part, {found.at.x, found.at.y, found.at.z})) break;
     }

@@ -14,11 +14,12 @@ namespace SolidSubdiv::Geometry::Internal {
 /// negative, bit 1 where w is.
 TetCorners OctPart(const std::array<Vec3, 6>& corners, int quadrant);
 
-/// The tets of a cell that has parts (far/place.h), its centroids computed once.
+/// The tets of a cell that has parts (far/place.h), its centroids computed once. Points are relative to `origin`: near
+/// the cell, they are known better so.
 class PolyhedronParts {
   public:
     /// @pre cell < cells.size()
-    PolyhedronParts(const Vtr::Polyhedra& cells, Index cell, std::span<const double> positions);
+    PolyhedronParts(const Vtr::Polyhedra& cells, Index cell, std::span<const double> positions, const Vec3& origin);
     Index n_parts() const { return static_cast<Index>(corners_.size()); }
     /// Centroid of the cell, of the face, the corner and the next.
     TetCorners Part(Index part) const {

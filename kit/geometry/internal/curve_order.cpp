@@ -29,7 +29,7 @@ std::uint32_t CurveKey(const float point[3]) {
         const float t = std::clamp((point[k] + 1) * (kCells / 2), 0.f, static_cast<float>(kCells - 1));
         x[k] = static_cast<std::uint32_t>(t);
     }
-    // J. Skilling, "Programming the Hilbert curve", 2004: undo reflections and exchanges of axes, then a Gray code.
+    // Undo reflections and exchanges of axes, then a Gray code. Source: skilling2004.
     for (std::uint32_t bit = kCells >> 1; bit > 1; bit >>= 1) {
         for (std::uint32_t& axis : x) {
             if (axis & bit) {

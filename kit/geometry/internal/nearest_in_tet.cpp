@@ -9,7 +9,7 @@ namespace SolidSubdiv::Geometry::Internal {
 namespace {
 
 /// Weights of the second and the third corner of the triangle's point nearest to the origin.
-/// Source: Ericson, Real-Time Collision Detection, 2005, section 5.1.5, with the origin as the point.
+/// Source: ericson2005, section 5.1.5, with the origin as the point.
 std::array<double, 2> NearestInTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
     const double d1 = -Dot(ab, a), d2 = -Dot(ac, a);

@@ -13,6 +13,7 @@ namespace {
 /// A face of a cell: n corners from `first` on.
 struct Face {
     std::size_t first, n;
+    Index cell;
     CellKind kind;
     bool kept;
 };
@@ -44,6 +45,7 @@ void AppendEdges(std::span<const Index> vertices, std::vector<std::array<Index, 
 /// A cell is kept if its centroid c has dot(normal, c - point) <= 0: always if the normal is zero.
 CellSides SidesOfCells(const Io::Mesh& mesh, const Plane& plane) {
     CellSides sides;
+    Index number = 0;
     Internal::ForEachCell(mesh.topology, [&](const Internal::CellFaces& cell) {
         double side = 0;
         for (Index v : cell.vertices()) {
@@ -54,7 +56,7 @@ CellSides SidesOfCells(const Io::Mesh& mesh, const Plane& plane) {
         for (std::size_t i = 0; i < cell.n_faces(); ++i) {
             const auto face = cell.face(i);
             const std::size_t first = sides.corners.size();
-            sides.faces.push_back({first, face.size(), cell.kind(), side <= 0});
+            sides.faces.push_back({first, face.size(), number, cell.kind(), side <= 0});
             sides.corners.insert(sides.corners.end(), face.begin(), face.end());
             sides.keys.insert(sides.keys.end(), face.begin(), face.end());
             // From the lowest vertex, so that both cells cut a face into the same triangles.
@@ -62,6 +64,7 @@ CellSides SidesOfCells(const Io::Mesh& mesh, const Plane& plane) {
             std::rotate(begin, std::min_element(begin, sides.corners.end()), sides.corners.end());
             std::sort(sides.keys.begin() + static_cast<std::ptrdiff_t>(first), sides.keys.end());
         }
+        ++number;
     });
     return sides;
 }
@@ -105,6 +108,7 @@ SolidFaces Visible(const Io::Mesh& mesh, const Plane& plane) {
             for (std::size_t t = 2; t < corners.size(); ++t) {
                 out.triangles.insert(out.triangles.end(), {corners[0], corners[t - 1], corners[t]});
                 out.kinds.push_back(face.kind);
+                out.cells.push_back(face.cell);
                 out.opened.push_back(opened ? 1 : 0);
             }
             if (opened) AppendEdges(corners, edges);

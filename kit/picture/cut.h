@@ -31,6 +31,7 @@ struct Plane {
 struct SolidFaces {
     std::vector<Index> triangles;       ///< (n, 3); larger faces are fans of triangles
     std::vector<CellKind> kinds;        ///< (n): of the cell behind each triangle
+    std::vector<Index> cells;           ///< (n): its number among the mesh's cells, in the order of cell data
     std::vector<unsigned char> opened;  ///< (n): 1 where the cut opened the solid, 0 on the solid's own boundary
     std::vector<Index> edges;           ///< (m, 2): sides of the faces where the cut opened the solid, each once
 

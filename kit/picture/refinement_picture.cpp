@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Puts scenes of several levels together; see refinement_picture.h.
+#include <solidsubdiv/kit/picture/internal/picture_parts.h>
 #include <solidsubdiv/kit/picture/refinement_picture.h>
 #include <solidsubdiv/kit/picture/slice.h>
 #include <solidsubdiv/sdc/errors.h>
@@ -7,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 namespace SolidSubdiv::Picture {
 namespace {
+
+using Internal::CutPlane;
+using Internal::LineWidth;
 
 /// The triangles that are seen of a mesh: a solid's boundary, and its surface elements.
 std::vector<Index> VisibleTriangles(const Io::Mesh& mesh) {
@@ -68,13 +71,6 @@ std::vector<Index> VisibleEdges(const Io::Mesh& mesh, const std::vector<Index>& 
     return ElementEdges(seen);
 }
 
-/// Lines as wide as a picture with that many edges bears.
-double LineWidth(std::size_t n_edges, const RenderOptions& render, double most) {
-    const double spacing =
-        std::min(render.width, render.height) / std::sqrt(static_cast<double>(std::max<std::size_t>(1, n_edges)));
-    return std::clamp(0.14 * spacing, 0.4, most);
-}
-
 Scene LatticeScene(const Io::Mesh& lattice, const Io::Mesh& shape, const RenderOptions& render) {
     const std::vector<Index> skin = VisibleTriangles(shape), lattice_skin = VisibleTriangles(lattice);
     const std::vector<Index> edges = VisibleEdges(lattice, lattice_skin);
@@ -101,20 +97,6 @@ Scene WireframeScene(const Io::Mesh& mesh, const RenderOptions& render) {
     scene.Add(Surface{.positions = mesh.positions, .triangles = skin, .material = {.smooth = false}});
     scene.Add(Lines{.positions = mesh.positions, .edges = edges, .width = LineWidth(edges.size() / 2, render, 1.2)});
     return scene;
-}
-
-/// Through the middle of the mesh, facing the viewer but for a small turn that shows that there is something behind.
-Plane CutPlane(const Io::Mesh& mesh, const View& view) {
-    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        low[i % 3] = std::min(low[i % 3], mesh.positions[i]);
-        high[i % 3] = std::max(high[i % 3], mesh.positions[i]);
-    }
-    const double angle = (view.azimuth - 6) * std::numbers::pi / 180, x = std::sin(angle), back = std::cos(angle);
-    Plane plane;
-    plane.normal = view.up == UpAxis::Y ? std::array{x, 0.0, back} : std::array{x, -back, 0.0};
-    for (std::size_t k = 0; k < 3; ++k) plane.point[k] = 0.5 * (low[k] + high[k]);
-    return plane;
 }
 
 Scene CellsScene(const Io::Mesh& mesh, const SolidFaces& cut, const RenderOptions& render) {

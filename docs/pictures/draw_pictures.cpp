@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "catmull_clark_pictures.h"
+#include "quality_pictures.h"
 
 #include <solidsubdiv/far/choose_diagonals.h>
 #include <solidsubdiv/far/primvar_refiner.h>
@@ -219,6 +220,7 @@ int main(int n_arguments, char** arguments) {
         WritePng(out / "catmull_clark_solid.png", CatmullClarkSolid());
         WritePng(out / "catmull_clark_features.png", CatmullClarkFeatures());
         WritePng(out / "mlca.png", SpikeAlongEdge());
+        WritePng(out / "quality.png", QualityOfATwistedBar());
         WritePng(out / "smooth_tet.png", TetsAroundEdge(5));
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));

@@ -103,9 +103,11 @@ Image QualityPicture(const Io::Mesh& mesh, std::span<const double> quality, cons
 
     char worst_caption[80];
     std::snprintf(worst_caption, sizeof worst_caption, "the worst %.0f %%: up to %.2g", 100 * kWorstShare, most);
-    const ColorBar bar{.low = 0, .high = 1, .title = options.title + " (not positive: red)"};
-    const ScenePanel panels[] = {
-        {&scenes[0], "outside", {}}, {&scenes[1], "cut open", bar}, {&scenes[2], worst_caption, {}}};
+    const ColorBar bar{.low = 0, .high = 1, .title = options.title};
+    const bool has_bad = std::any_of(quality.begin(), quality.end(), [](double q) { return !(q > 0); });
+    const ScenePanel panels[] = {{&scenes[0], "outside", {}},
+                                 {&scenes[1], has_bad ? "cut open (red: not positive)" : "cut open", bar},
+                                 {&scenes[2], worst_caption, {}}};
     return RenderPanels(panels, options.view, options.render, {.columns = 3}, progress);
 }
 

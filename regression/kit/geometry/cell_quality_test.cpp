@@ -147,6 +147,17 @@ TEST(CellQuality, OfHexahedra_IsBoundedProvedAndReached) {
     EXPECT_GT(n_of_sign[1], 50);
 }
 
+TEST(CellQuality, FindsAPlantedFoldBetweenCornersOfLargeDeterminants) {
+    const Trilinear map{{Vec3{-2, 2, 0}, Vec3{5, 1, -3}, Vec3{3, 2, 0}, Vec3{7, 6, 3}, Vec3{2, 0, 2}, Vec3{4, -1, 1},
+                         Vec3{2, 7, 1}, Vec3{5, 2, 4}}};
+    for (unsigned c = 0; c < 8; ++c) {
+        EXPECT_GE(DetAt(map, {c & 1 ? 1. : 0., c & 2 ? 1. : 0., c & 4 ? 1. : 0.}), 40);
+    }
+    const CellQuality q = OnlyCell(HexOf(map));
+    EXPECT_EQ(q.sign, MinimumSign::Negative);
+    EXPECT_LE(q.jacobian_minimum, LeastOfSamples(map, 8));
+}
+
 TEST(CellQuality, FindsTheFoldInsideAHexahedronWhoseCornersAreAllPositive) {
     TestShapes::Random random(5);
     int n_folded_inside = 0, n_valid_with_negative_coefficients = 0;

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -57,7 +58,11 @@ std::string AddQuality(Session& session, const InfoOptions& options, const Io::M
     if (!picture.empty()) {
         session.Stage("picture");
         std::vector<double> scaled;
-        for (const Geometry::CellQuality& q : cells) scaled.push_back(q.scaled_jacobian);
+        for (const Geometry::CellQuality& q : cells) {
+            // A fold that corners don't show is red too.
+            const bool is_good = q.sign == Geometry::MinimumSign::Positive;
+            scaled.push_back(is_good ? q.scaled_jacobian : std::min(q.scaled_jacobian, 0.0));
+        }
         Picture::WritePng(picture, Picture::QualityPicture(mesh, scaled, {}, session.progress()));
         text += "\nwrote " + options.picture;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <tuple>
 
 #include <solidsubdiv/apps/cli/common.h>
 #include <solidsubdiv/apps/cli/mesh_kinds.h>
@@ -123,11 +124,12 @@ Json DescribeQuality(const Io::Mesh& mesh, const std::vector<CellQuality>& cells
     std::vector<std::size_t> order(cells.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const std::size_t n_listed = std::min(kWorstListed, cells.size());
+    // Folded cells, then those of the least scaled Jacobian.
+    const auto rank = [&](std::size_t c) {
+        return std::tuple(cells[c].sign != MinimumSign::Negative, cells[c].scaled_jacobian, c);
+    };
     std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n_listed), order.end(),
-                      [&](std::size_t a, std::size_t b) {
-                          const double x = cells[a].scaled_jacobian, y = cells[b].scaled_jacobian;
-                          return x != y ? x < y : a < b;
-                      });
+                      [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     Json worst = Json::array();
     for (std::size_t i = 0; i < n_listed; ++i) worst.push_back(DescribeCell(mesh.topology, cells[order[i]], order[i]));
     const auto by = [](double CellQuality::*value) {

@@ -19,6 +19,9 @@ namespace {
 constexpr Offset kGrain = 1024, kOutsideGrain = 16, kAtATime = 16;
 constexpr Offset kBlock = Offset{1} << 20;  // between two reports of progress
 
+/// Keeps the order of numbers. What lies far beyond the cells is as good as what lies beyond them.
+float ToFloat(double x) { return static_cast<float>(std::clamp(x, -4.0, 4.0)); }
+
 }  // namespace
 
 void LocateOptions::Validate() const {
@@ -38,9 +41,9 @@ struct Locator::State {
         return {scale * (p.x - middle.x), scale * (p.y - middle.y), scale * (p.z - middle.z)};
     }
 
-    std::array<float, 3> Rounded(const Vec3& point) const {
+    BoxTree::Point Rounded(const Vec3& point) const {
         const auto p = Scaled(point);
-        return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+        return {ToFloat(p[0]), ToFloat(p[1]), ToFloat(p[2])};
     }
 
     void MeasureVertices(std::span<const double> positions) {
@@ -76,30 +79,34 @@ struct Locator::State {
                 }
                 FloatBox& box = boxes[static_cast<std::size_t>(c)];
                 for (std::size_t k = 0; k < 3; ++k) {
-                    box.low[k] = static_cast<float>(low[k] - reach);
-                    box.high[k] = static_cast<float>(high[k] + reach);
+                    box.low[k] = ToFloat(low[k] - reach);
+                    box.high[k] = ToFloat(high[k] + reach);
                 }
             }
         });
         tree = BoxTree(boxes);
     }
 
-    /// For each of a few points, the place in the lowest cell that holds it by round-off. One step after another for
-    /// all of them: what the next step reads is on its way from memory meanwhile.
-    void FindHolders(std::span<const Index> numbers, std::span<const double> points, Far::Place* places) const {
+    struct Candidate {
+        Index point, cell;
+    };
+
+    /// For each of a few points, kAtATime at most, the place in the lowest cell that holds it by round-off. One step
+    /// after another for all of them: what the next step reads is on its way from memory meanwhile. `candidates` is
+    /// room to work in.
+    void FindHolders(std::span<const Index> numbers, std::span<const double> points, Far::Place* places,
+                     std::vector<Candidate>& candidates) const {
         const double reach = scale * round_off;
-        struct Candidate {
-            Index point, cell;
-        };
-        thread_local std::vector<Candidate> candidates;
         candidates.clear();
-        for (Index i : numbers) {
-            places[i].element = kNoIndex;
-            tree.ForEachHolding(Rounded(PointAt(points, i)).data(), [&](Index cell) {
-                candidates.push_back({i, cell});
-                cells.FetchIndices(cell);
-            });
+        std::array<BoxTree::Point, kAtATime> rounded;
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            places[numbers[k]].element = kNoIndex;
+            rounded[k] = Rounded(PointAt(points, numbers[k]));
         }
+        tree.ForEachHolding(std::span(rounded).first(numbers.size()), [&](std::size_t k, Index cell) {
+            candidates.push_back({numbers[k], cell});
+            cells.FetchIndices(cell);
+        });
         for (const Candidate& c : candidates) cells.FetchPositions(c.cell);
         for (const Candidate& c : candidates) {
             Far::Place& best = places[c.point];
@@ -142,6 +149,9 @@ Offset Locator::Bytes() const { return state_->tree.Bytes(); }
 Location Locator::Locate(std::span<const double> points, const LocateOptions& options) const {
     options.Validate();
     if (points.size() % 3 != 0) throw InvalidInput(std::to_string(points.size()) + " numbers are not rows of 3");
+    if (points.size() / 3 > std::numeric_limits<Index>::max()) {
+        throw InvalidInput(std::to_string(points.size() / 3) + " points: more than 2^31 - 1 at a time");
+    }
     RequireUsable(points, "point");
     const State& s = *state_;
     const auto n = static_cast<Offset>(points.size() / 3);
@@ -160,8 +170,9 @@ Location Locator::Locate(std::span<const double> points, const LocateOptions& op
         Report(options.progress, "locate", static_cast<double>(first) / static_cast<double>(n));
         const auto block = std::span(order).subspan(first, std::min(kBlock, n - first));
         Sdc::ParallelFor(static_cast<Offset>(block.size()), kGrain, [&](Offset begin, Offset end) {
+            std::vector<State::Candidate> room;
             for (Offset k = begin; k < end; k += kAtATime) {
-                s.FindHolders(block.subspan(k, std::min(kAtATime, end - k)), points, location.places.data());
+                s.FindHolders(block.subspan(k, std::min(kAtATime, end - k)), points, location.places.data(), room);
             }
         });
     }

@@ -41,17 +41,20 @@ struct EmbreeLocator::State {
         out.lower_z = static_cast<float>(box.low[2]) - r, out.upper_z = static_cast<float>(box.high[2]) + r;
     }
 
+    struct Candidate {
+        Index point, cell;
+    };
+    /// Cells whose nodes hold a point, to be tested when those of a few points are together, as ours are.
     struct Query {
         const State* state;
-        Vec3 point;
-        Far::Place best{.element = kNoIndex};
+        std::vector<Candidate>* candidates;
+        Index point;
     };
     static bool Visit(RTCPointQueryFunctionArguments* arguments) {
-        Query& q = *static_cast<Query*>(arguments->userPtr);
+        const Query& q = *static_cast<const Query*>(arguments->userPtr);
         const auto cell = static_cast<Index>(arguments->primID);
-        if (q.best.element != kNoIndex && cell > q.best.element) return false;
-        const CellPlace found = q.state->cells.Hold(cell, q.point, q.state->scale, q.state->reach);
-        if (found.distance <= q.state->reach) q.best = found.place;
+        q.candidates->push_back({q.point, cell});
+        q.state->cells.FetchIndices(cell);
         return false;  // the radius stays
     }
 };
@@ -97,16 +100,28 @@ std::vector<Far::Place> EmbreeLocator::Locate(std::span<const double> points) co
     });
     const std::vector<Index> order = OrderByKey(keys);
     std::vector<Far::Place> places(static_cast<std::size_t>(n));
+    constexpr Offset kAtATime = 16;
     Sdc::ParallelFor(n, 1024, [&](Offset begin, Offset end) {
-        for (Offset k = begin; k < end; ++k) {
-            const Index i = order[static_cast<std::size_t>(k)];
-            const auto p = rounded(i);
-            RTCPointQuery query{.x = p[0], .y = p[1], .z = p[2], .time = 0, .radius = 0};
-            RTCPointQueryContext context;
-            rtcInitPointQueryContext(&context);
-            State::Query mine{&s, PointAt(points, i)};
-            rtcPointQuery(s.scene, &query, &context, nullptr, &mine);
-            places[static_cast<std::size_t>(i)] = mine.best;
+        std::vector<State::Candidate> candidates;
+        for (Offset first = begin; first < end; first += kAtATime) {
+            candidates.clear();
+            for (Offset k = first; k < std::min(end, first + kAtATime); ++k) {
+                const Index i = order[static_cast<std::size_t>(k)];
+                places[static_cast<std::size_t>(i)].element = kNoIndex;
+                const auto p = rounded(i);
+                RTCPointQuery query{.x = p[0], .y = p[1], .z = p[2], .time = 0, .radius = 0};
+                RTCPointQueryContext context;
+                rtcInitPointQueryContext(&context);
+                State::Query mine{&s, &candidates, i};
+                rtcPointQuery(s.scene, &query, &context, nullptr, &mine);
+            }
+            for (const auto& c : candidates) s.cells.FetchPositions(c.cell);
+            for (const auto& c : candidates) {
+                Far::Place& best = places[static_cast<std::size_t>(c.point)];
+                if (best.element != kNoIndex && c.cell > best.element) continue;
+                const CellPlace found = s.cells.Hold(c.cell, PointAt(points, c.point), s.scale, s.reach);
+                if (found.distance <= s.reach) best = found.place;
+            }
         }
     });
     return places;

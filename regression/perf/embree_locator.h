@@ -20,8 +20,8 @@ class EmbreeLocator {
     /// Whether the bench was built with Embree.
     static bool IsThere();
 
-    /// The lowest cell that holds each point within `reach` times the scale, in the order of a curve as our locator
-    /// takes them; kNoIndex where there is none.
+    /// The place in the lowest cell that holds each point, kNoIndex where there is none. Points are taken in the order
+    /// of the curve and a few at a time, as by our locator.
     std::vector<Far::Place> Locate(std::span<const double> points) const;
 
   private:

@@ -28,9 +28,12 @@ class BoxTree {
     /// Items are numbered as their boxes. Parallel but for the sort; the same for any number of threads.
     explicit BoxTree(std::span<const FloatBox> boxes);
 
-    /// Calls visit(item) for every item whose box holds the point, in no particular order.
+    using Point = std::array<float, 3>;
+
+    /// Calls visit(i, item) for every item whose box holds points[i], points in turn, items in no particular order. The
+    /// upper nodes are met once for all points: give few at a time that lie near each other.
     template <class Visit>
-    void ForEachHolding(const float point[3], Visit&& visit) const;
+    void ForEachHolding(std::span<const Point> points, Visit&& visit) const;
 
     /// Calls visit(item), which returns the distance beyond which nothing is wanted any more, for every item whose box
     /// comes nearer than that, by `slack` at least: nodes that come near first.
@@ -48,19 +51,18 @@ class BoxTree {
         alignas(16) float low[3][kWidth];
         alignas(16) float high[3][kWidth];
 
-        /// Bit i: box i holds the point.
-        unsigned BitsOfHolding(const float point[3]) const {
+        /// Bit i: box i meets that from `from` to `to`.
+        unsigned BitsOfMeeting(const Point& from, const Point& to) const {
             Ints bits{};
             for (int half = 0; half < 2; ++half) {
-                Ints holds{-1, -1, -1, -1};
-                for (int k = 0; k < 3; ++k) {
-                    const float x = point[k];
-                    const Floats at{x, x, x, x};
+                Ints meets{-1, -1, -1, -1};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Floats first{from[k], from[k], from[k], from[k]}, last{to[k], to[k], to[k], to[k]};
                     const auto& lows = *reinterpret_cast<const Floats*>(low[k] + 4 * half);
                     const auto& highs = *reinterpret_cast<const Floats*>(high[k] + 4 * half);
-                    holds &= (at >= lows) & (at <= highs);
+                    meets &= (last >= lows) & (first <= highs);
                 }
-                bits |= holds & (Ints{1, 2, 4, 8} << 4 * half);
+                bits |= meets & (Ints{1, 2, 4, 8} << 4 * half);
             }
             return static_cast<unsigned>(bits[0] | bits[1] | bits[2] | bits[3]);
         }
@@ -82,23 +84,47 @@ class BoxTree {
 };
 
 template <class Visit>
-void BoxTree::ForEachHolding(const float point[3], Visit&& visit) const {
-    if (order_.empty()) return;
-    Step steps[kMostSteps];
-    int n_steps = 0;
-    steps[n_steps++] = {n_levels() - 1, 0, 0};
-    while (n_steps > 0) {
-        const Step step = steps[--n_steps];
-        const Node& node = At(step.level, step.node);
-        unsigned bits = node.BitsOfHolding(point);
-        for (; bits != 0; bits &= bits - 1) {
-            const Index child = kWidth * step.node + std::countr_zero(bits);
-            if (step.level == 0) {
-                visit(order_[static_cast<std::size_t>(child)]);
-            } else {
-                steps[n_steps++] = {step.level - 1, child, 0};
-                const char* next = reinterpret_cast<const char*>(&At(step.level - 1, child));
-                for (std::size_t k = 0; k < sizeof(Node); k += 64) __builtin_prefetch(next + k);
+void BoxTree::ForEachHolding(std::span<const Point> points, Visit&& visit) const {
+    if (order_.empty() || points.empty()) return;
+    Point from = points[0], to = points[0];
+    for (const Point& p : points) {
+        for (std::size_t k = 0; k < 3; ++k) from[k] = std::min(from[k], p[k]), to[k] = std::max(to[k], p[k]);
+    }
+    // Down together as long as few nodes meet the box of the points.
+    constexpr int kMostShared = 6;
+    Index shared[kMostShared] = {0};
+    int n_shared = 1, level = n_levels() - 1;
+    while (level > 0) {
+        Index below[kMostShared];
+        int n_below = 0;
+        for (int s = 0; s < n_shared && n_below <= kMostShared; ++s) {
+            for (unsigned bits = At(level, shared[s]).BitsOfMeeting(from, to); bits != 0; bits &= bits - 1) {
+                if (n_below++ == kMostShared) break;
+                below[n_below - 1] = kWidth * shared[s] + std::countr_zero(bits);
+            }
+        }
+        if (n_below > kMostShared) break;
+        std::copy_n(below, n_below, shared);
+        n_shared = n_below;
+        --level;
+    }
+
+    Step steps[kMostSteps + kMostShared];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        int n_steps = 0;
+        for (int s = 0; s < n_shared; ++s) steps[n_steps++] = {level, shared[s], 0};
+        while (n_steps > 0) {
+            const Step step = steps[--n_steps];
+            unsigned bits = At(step.level, step.node).BitsOfMeeting(points[i], points[i]);
+            for (; bits != 0; bits &= bits - 1) {
+                const Index child = kWidth * step.node + std::countr_zero(bits);
+                if (step.level == 0) {
+                    visit(i, order_[static_cast<std::size_t>(child)]);
+                } else {
+                    steps[n_steps++] = {step.level - 1, child, 0};
+                    const char* next = reinterpret_cast<const char*>(&At(step.level - 1, child));
+                    for (std::size_t k = 0; k < sizeof(Node); k += 64) __builtin_prefetch(next + k);
+                }
             }
         }
     }

@@ -131,15 +131,24 @@ TEST(BoxTree, FindsTheBoxesThatHoldAPointAndNoOthers) {
         }
         const Internal::BoxTree tree(boxes);
         for (int i = 0; i < 200; ++i) {
-            float p[3];
-            for (float& x : p) x = static_cast<float>(random.Uniform());
-            std::vector<Index> found, expected;
-            tree.ForEachHolding(p, [&](Index item) { found.push_back(item); });
+            // Points together and far apart: shared steps down the hierarchy must miss no box.
+            std::vector<Internal::BoxTree::Point> points(static_cast<std::size_t>(1 + i % 16));
+            const double spread = i % 3 == 0 ? 0.02 : 1;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double middle = random.Uniform();
+                for (auto& p : points) p[k] = static_cast<float>(middle + spread * random.Uniform());
+            }
+            std::vector<std::pair<std::size_t, Index>> found, expected;
+            tree.ForEachHolding(points, [&](std::size_t p, Index item) { found.emplace_back(p, item); });
             std::sort(found.begin(), found.end());
-            for (int b = 0; b < n; ++b) {
-                bool holds = true;
-                for (int k = 0; k < 3; ++k) holds = holds && p[k] >= boxes[b].low[k] && p[k] <= boxes[b].high[k];
-                if (holds) expected.push_back(b);
+            for (std::size_t p = 0; p < points.size(); ++p) {
+                for (Index b = 0; b < n; ++b) {
+                    bool holds = true;
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        holds = holds && points[p][k] >= boxes[b].low[k] && points[p][k] <= boxes[b].high[k];
+                    }
+                    if (holds) expected.emplace_back(p, b);
+                }
             }
             EXPECT_EQ(found, expected);
         }

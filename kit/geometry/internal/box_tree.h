@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
@@ -51,6 +52,11 @@ class BoxTree {
         alignas(16) float low[3][kWidth];
         alignas(16) float high[3][kWidth];
 
+        static Floats Load(const float* four) {
+            Floats loaded;
+            std::memcpy(&loaded, four, sizeof loaded);
+            return loaded;
+        }
         /// Bit i: box i meets that from `from` to `to`.
         unsigned BitsOfMeeting(const Point& from, const Point& to) const {
             Ints bits{};
@@ -58,9 +64,7 @@ class BoxTree {
                 Ints meets{-1, -1, -1, -1};
                 for (std::size_t k = 0; k < 3; ++k) {
                     const Floats first{from[k], from[k], from[k], from[k]}, last{to[k], to[k], to[k], to[k]};
-                    const auto& lows = *reinterpret_cast<const Floats*>(low[k] + 4 * half);
-                    const auto& highs = *reinterpret_cast<const Floats*>(high[k] + 4 * half);
-                    meets &= (last >= lows) & (first <= highs);
+                    meets &= (last >= Load(low[k] + 4 * half)) & (first <= Load(high[k] + 4 * half));
                 }
                 bits |= meets & (Ints{1, 2, 4, 8} << 4 * half);
             }

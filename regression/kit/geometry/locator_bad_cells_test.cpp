@@ -2,6 +2,7 @@
 // Points in cells that are flat, inverted, folded or lie over each other: none is lost.
 #include <gtest/gtest.h>
 #include <solidsubdiv/kit/geometry/internal/box_tree.h>
+#include <solidsubdiv/kit/geometry/internal/nearest_in_hex.h>
 #include <solidsubdiv/kit/geometry/locator.h>
 
 #include "kit/geometry/place_testing.h"
@@ -92,6 +93,54 @@ TEST(LocatorBadCells, PointsOverAFoldAreOutsideAndTheirDistanceIsTold) {
     ASSERT_EQ(above.outside.size(), 2u);
     EXPECT_NEAR(above.outside[1].distance, 0.25, 1e-6);  // the corner is the nearest
     EXPECT_GT(above.outside[0].distance, 0.05);
+}
+
+/// A point of the map where its Jacobian is singular, between two places of opposite signs, if there is one.
+bool FindFold(const Internal::Trilinear& hex, TestShapes::Random& random, Internal::Vec3& point) {
+    const auto draw = [&] {
+        return 0.5 * (Internal::Vec3{1, 1, 1} + Internal::Vec3{random.Uniform(), random.Uniform(), random.Uniform()});
+    };
+    const auto det = [&](const Internal::Vec3& at) {
+        const auto columns = hex.Jacobian(at);
+        return Internal::Det(columns[0], columns[1], columns[2]);
+    };
+    Internal::Vec3 a = draw(), b = draw();
+    if (det(a) * det(b) >= 0) return false;
+    for (int k = 0; k < 60; ++k) {
+        const Internal::Vec3 middle = 0.5 * (a + b);
+        (det(middle) * det(a) > 0 ? a : b) = middle;
+    }
+    point = hex.PointOf(a);
+    return true;
+}
+
+TEST(LocatorBadCells, AroundFoldsOfHexahedraNoPlaceIsNearerThanTheNearest) {
+    constexpr double kReach = 1.4e-14;
+    TestShapes::Random random(7);
+    int n_held = 0, n_folds = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Internal::Trilinear hex;
+        for (auto& c : hex.corners) c = {random.Uniform(), random.Uniform(), random.Uniform()};
+        Internal::Vec3 p = 0.7 * Internal::Vec3{random.Uniform(), random.Uniform(), random.Uniform()};
+        if (i % 2 == 0 && FindFold(hex, random, p)) {
+            ++n_folds;
+            p = p + std::pow(10.0, -3 - i % 12) * Internal::Vec3{random.Uniform(), random.Uniform(), random.Uniform()};
+        }
+        for (auto& c : hex.corners) c = c - p;
+        const auto nearest = Internal::NearestInHex(hex, kReach, 1e300);
+        const bool is_held = Internal::HoldInHex(hex, kReach).distance <= kReach;
+        n_held += is_held;
+        // What is held has a place within the reach; the nearest may be off by as much again, and its gap.
+        EXPECT_LE(is_held ? nearest.distance : 0, 2.1 * kReach) << i;
+        EXPECT_EQ(is_held || nearest.distance > kReach, true) << i;
+        for (int k = 0; k < 300; ++k) {
+            const auto at =
+                0.5 * (Internal::Vec3{1, 1, 1} + Internal::Vec3{random.Uniform(), random.Uniform(), random.Uniform()});
+            EXPECT_GE(Internal::Length(hex.PointOf(at)), nearest.distance * (1 - 1.1e-6)) << i;
+        }
+    }
+    EXPECT_GT(n_held, 200);
+    EXPECT_GT(n_folds, 200);
 }
 
 TEST(LocatorBadCells, OfCellsThatLieOverEachOtherTheLowestHoldsThePoint) {

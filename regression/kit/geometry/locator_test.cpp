@@ -212,6 +212,18 @@ TEST(Locator, WithoutNearestPlaces_OutsidePointsHaveNone) {
     EXPECT_EQ(found.outside[0].point, 1);
 }
 
+TEST(Locator, StopsWhenProgressSaysSo) {
+    const TestSolid s = TetSolid("tet", TestShapes::SingleTet(), 0);
+    const Locator locator(s.refiner, 0, s.positions);
+    std::vector<std::string> stages;
+    const auto note = [&](std::string_view stage, double) {
+        stages.emplace_back(stage);
+        return stage != "nearest places";
+    };
+    EXPECT_THROW(locator.Locate(std::vector<double>{2, 2, 2}, {.progress = note}), Cancelled);
+    EXPECT_EQ(stages, (std::vector<std::string>{"locate", "nearest places"}));
+}
+
 /// The text of the InvalidInput that a step throws.
 template <class Step>
 std::string Refusal(Step&& step) {

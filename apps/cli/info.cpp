@@ -86,7 +86,12 @@ void RunInfo(Session& session, const InfoOptions& options) {
     const Json description = About(file, [&] { return DescribeMesh(mesh); });
     result.update(description);
     std::string text = file + ": " + std::string(Io::FormatOf(file).name) + "\n" + MeshReportText(description);
-    if (options.wants_quality()) text += AddQuality(session, options, mesh, result);
+    const bool is_usable = description["analysis"] == "complete";
+    if (options.wants_quality() && !is_usable && options.quality_map.empty() && options.picture.empty()) {
+        session.Note(file + ": quality is not measured while there are fatal defects");
+    } else if (options.wants_quality()) {
+        text += AddQuality(session, options, mesh, result);
+    }
     session.EndStage();
     result["seconds"] = session.Seconds();
     session.Print(text);

@@ -87,6 +87,14 @@ TEST_F(CliQuality, ThePictureIsNotEmpty) {
     EXPECT_GT(fs::file_size(folder / "quality.png"), 50000u) << "an empty picture is much smaller";
 }
 
+TEST_F(CliQuality, OfAMeshWithFatalDefectsTheRestIsStillSaid) {
+    WriteMesh("twice.vtu", TetMesh({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 1, 2, 3, 0, 1, 2, 3}));
+    const Outcome outcome = MustRun("info twice.vtu --quality");
+    EXPECT_THAT(outcome.out, HasSubstr("duplicate element (fatal): 1"));
+    EXPECT_THAT(outcome.err, HasSubstr("twice.vtu: quality is not measured while there are fatal defects"));
+    EXPECT_EQ(Run("info twice.vtu --quality-map map.vtu").status, 1);
+}
+
 TEST_F(CliQuality, WhatCannotBeMeasuredOrWrittenIsSaidInOneLine) {
     Io::Mesh surface;
     surface.topology.n_vertices = 3;

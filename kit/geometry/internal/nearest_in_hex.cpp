@@ -81,7 +81,6 @@ class Search {
         for (int n_parts = 1; next.bound <= Reach(); ++n_parts) {
             if (next.depth % 3 == 0) DescendFrom(next.part.Middle());
             if (best_.distance <= enough_ || n_parts > kMostParts) break;
-            ;
             for (const TrilinearPart& half : next.part.Halves()) {
                 const double bound = std::max(next.bound, LowerBound(half.map, Reach(), point_));
                 if (bound > Reach()) continue;

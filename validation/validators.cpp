@@ -66,6 +66,12 @@ constexpr std::array kValidators = {
               "linear split and averages over the new cells, made the plain way: each level (1-2) from the one before, "
               "over the shape's size",
               1e-12, kSumsOfWeights, ValidateCellAveraging},
+    Validator{
+        "cell-quality",
+        "scaled Jacobians of tets and hexahedra, inverted and folded ones too = those of VTK's Verdict; no sampled "
+        "determinant is below the bound or of another sign than what is proved",
+        1e-12, "products and quotients of numbers of size 1: a few units of rounding, and a thousand times that",
+        ValidateCellQuality},
     Validator{"counts",
               "numbers of vertices, edges, faces and cells = those of the refined cells' vertex sets, of the "
               "formulas, and of the paper (28 -> 7280, 20 -> 5200 cells)",

@@ -64,6 +64,7 @@ Findings ValidateButterflyPrograms(const Context& context);
 Findings ValidateBoxSplineRegular(const Context& context);
 Findings ValidateTricubicRegular(const Context& context);
 Findings ValidateCellAveraging(const Context& context);
+Findings ValidateCellQuality(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
 Findings ValidateLocation(const Context& context);

@@ -57,6 +57,10 @@ std::string NameOf(Far::DefectCode code) {
             return "coincident element";
         case Far::DefectCode::UnusedSharpness:
             return "crease without an edge";
+        case Far::DefectCode::NoLimit:
+            return "place without a limit";
+        case Far::DefectCode::NoDerivative:
+            return "place without a derivative";
     }
     return "defect";
 }

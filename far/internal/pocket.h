@@ -78,6 +78,8 @@ struct Pocket {
     std::vector<std::int32_t> Key() const;
 };
 
+class PocketSource;
+
 /// Makes pockets of one level, one after another. A thread needs its own.
 class PocketMaker {
   public:
@@ -90,10 +92,7 @@ class PocketMaker {
     Pocket Make(Index element);
 
   private:
-    class Base;
-    template <class Complex>
-    class Maker;
-    std::unique_ptr<Base> maker_;
+    std::unique_ptr<PocketSource> source_;
 };
 
 }  // namespace SolidSubdiv::Far::Internal

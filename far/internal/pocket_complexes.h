@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -48,6 +49,16 @@ class TetOctCells {
         return false;
     }
 
+    /// Of a tet with vertex v: the B edge that has v not, and the other end of the one that has it.
+    std::array<Index, 2> FarBEdge(Index t, Index v) const {
+        const auto w = Vertices(t);
+        return w[0] == v || w[1] == v ? std::array{w[2], w[3]} : std::array{w[0], w[1]};
+    }
+    Index NearBEnd(Index t, Index v) const {
+        const auto w = Vertices(t);
+        return w[static_cast<std::size_t>((std::find(w.begin(), w.end(), v) - w.begin()) ^ 1)];
+    }
+
   private:
     const Level& level_;
     Vtr::Relation tets_at_;
@@ -83,6 +94,16 @@ class PolyhedralCells {
   private:
     const Vtr::PolyhedralLevel& level_;
 };
+
+/// Whether the boundary at a vertex of a solid does not know all that its rules ask for: solids that touch, sheets.
+template <class AnyLevel>
+bool IsPinched(const AnyLevel& level, Index v) {
+    if (!level.vertex_tags[v].in_cell()) return false;
+    const auto edges = level.vertex_edges[v];
+    return level.vertex_tags[v].non_manifold() || std::any_of(edges.begin(), edges.end(), [&](Index e) {
+               return level.edge_tags[e].rule() == Vtr::Rule::Curve;
+           });
+}
 
 /// Boundary faces of any level, which meet in edges.
 template <class AnyLevel>

@@ -20,8 +20,9 @@ namespace SolidSubdiv::Analysis {
 /// The matrix around `vertex` of level `level`, from the rows between the refiner's last two levels: the smallest set
 /// of points that holds the vertex and its neighbours and that the rows do not leave. `ring` names them at the last
 /// level but one, the vertex first. Three levels after `level` keep the stencils of every scheme inside the vertex's
-/// star. None if they leave it, or if the scheme can't refine the mesh. Cost: the refiner's tables under the scheme,
-/// and a walk over the vertices of its levels.
+/// star (among polyhedra: one after a level whose faces at the vertex are quadrilaterals). None if they leave it, or
+/// where levels don't look alike. Cost: the refiner's tables under the scheme, and a walk over the vertices of its
+/// levels.
 std::optional<Far::LocalMatrix> MatrixAround(const Far::TopologyRefiner& refiner, int level, Index vertex,
                                              const Sdc::Scheme& scheme);
 

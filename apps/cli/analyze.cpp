@@ -1,46 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
-// solidsubdiv analyze: eigenvalues of a scheme on its regular lattice or around edges, and what they say.
+// solidsubdiv analyze: eigenvalues of a scheme around the places of a mesh or places made to order, and what they say.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <charconv>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include <solidsubdiv/apps/cli/analyze_file.h>
+#include <solidsubdiv/apps/cli/analyze_report.h>
 #include <solidsubdiv/apps/cli/commands.h>
-#include <solidsubdiv/apps/cli/common.h>
-#include <solidsubdiv/apps/cli/scheme_options.h>
+#include <solidsubdiv/apps/cli/files_help.h>
 #include <solidsubdiv/kit/analysis/places.h>
-#include <solidsubdiv/kit/analysis/spectrum.h>
 
 namespace SolidSubdiv::Cli {
 
 namespace {
 
-constexpr int kMaxCells = 32;
-
 struct AnalyzeOptions {
+    std::string input;
     SchemeOptions scheme;
-    bool regular = false;
-    std::string edge;  ///< "5" or "3..8"
+    bool regular = false, faces = false;
+    std::string edge, valence, border;  ///< "5" or "3..8"
+    std::size_t top = 10;
+    std::string plot;
 };
 
-Json EigenvaluesOf(const Analysis::Spectrum& spectrum) {
-    Json list = Json::array();
-    for (const Analysis::Eigenvalue& e : spectrum) {
-        list.push_back({{"real", e.value.real()}, {"imaginary", e.value.imag()}, {"multiplicity", e.multiplicity}});
-    }
-    return list;
-}
+constexpr int kMost = 32;  // cells or faces of a place made to order
 
 /// First and last of a range. @throws UsageError
-std::pair<int, int> RangeOf(const std::string& text) {
+std::pair<int, int> RangeOf(const std::string& option, const std::string& text, int least) {
     const auto number = [&](std::string_view part) {
         int n = 0;
         const auto read = std::from_chars(part.data(), part.data() + part.size(), n);
-        if (read.ec != std::errc() || read.ptr != part.data() + part.size() || n < 3 || n > kMaxCells) {
-            throw UsageError("--edge is '" + text + "'; it is a number of cells or a range such as 3..8, from 3 to " +
-                             std::to_string(kMaxCells));
+        if (read.ec != std::errc() || read.ptr != part.data() + part.size() || n < least || n > kMost) {
+            throw UsageError(option + " is '" + text + "'; it is a number or a range such as 3..8, from " +
+                             std::to_string(least) + " to " + std::to_string(kMost));
         }
         return n;
     };
@@ -48,7 +44,7 @@ std::pair<int, int> RangeOf(const std::string& text) {
     if (dots == std::string::npos) return {number(text), number(text)};
     const int first = number(std::string_view(text).substr(0, dots)),
               last = number(std::string_view(text).substr(dots + 2));
-    if (first > last) throw UsageError("--edge is '" + text + "': it starts above its end");
+    if (first > last) throw UsageError(option + " is '" + text + "': it starts above its end");
     return {first, last};
 }
 
@@ -57,91 +53,189 @@ const char* RegularPlace(bool is_solid, bool is_tet_oct) {
     return is_solid ? "inner vertex of a block of hexahedra" : "vertex of four quadrilaterals";
 }
 
-std::string AnalyzeRegular(const Sdc::Scheme& scheme, Json& result) {
-    const bool is_solid = std::visit([](const auto& s) { return s.kSolids; }, scheme);
-    const Far::LocalMatrix matrix = Analysis::RegularLocalMatrix(scheme);
-    const Analysis::Spectrum spectrum = Analysis::SpectrumOf(matrix);
-    const Analysis::Verdict verdict = Analysis::VerdictOf(spectrum, is_solid ? 3 : 2);
-    const std::vector<double> limit = Far::LimitMaskOf(matrix);
-    result["place"] = RegularPlace(is_solid, Sdc::Takes(scheme, Sdc::Split::TetOct));
-    result["neighbors"] = matrix.size() - 1;
-    result["eigenvalues"] = EigenvaluesOf(spectrum);
-    result["verdict"] = verdict.text;
-    result["limit_mask"] = limit;
+class AnalyzeCommand {
+  public:
+    AnalyzeCommand(const AnalyzeOptions& options, Session& session) : options_(options), session_(session) {}
 
-    std::string text = std::string(Sdc::NameOf(scheme)) + ", regular lattice: a vertex and its " +
-                       Counted(matrix.size() - 1, "neighbor", "neighbors") + "\n";
-    text += "  eigenvalues  " + Analysis::SpectrumText(spectrum) + "\n";
-    text += "  verdict      " + verdict.text + "\n";
-    if (!limit.empty() && limit[0] == 1) {
-        text += "  limit mask   1: the vertex stays";
-    } else if (!limit.empty()) {
-        text += "  limit mask   " + Text(limit[0]);
-        for (std::size_t i = 1; i < limit.size(); ++i) text += ", " + Text(limit[i]);
+    void Run() {
+        const int n_places = !options_.input.empty() + options_.regular + options_.faces + !options_.edge.empty() +
+                             !options_.valence.empty() + !options_.border.empty();
+        if (n_places != 1) {
+            throw UsageError(
+                "analyze takes a FILE, --regular or --edge N, --face, --valence N or --border N: which place is "
+                "meant?");
+        }
+        if (!options_.plot.empty()) plot_ = session_.outputs().Stage(options_.plot);
+        json_["command"] = "analyze";
+        std::string text = !options_.input.empty() ? File() : MadeToOrder();
+        if (!options_.plot.empty()) text += Plot();
+        json_["seconds"] = session_.Seconds();
+        session_.Print(text);
+        session_.Finish(json_);
     }
-    return text;
-}
 
-std::string AnalyzeEdges(const Sdc::Scheme& scheme, const std::string& edge, Json& result) {
-    const auto [first, last] = RangeOf(edge);
-    std::string text = std::string(Sdc::NameOf(scheme)) + ": a vertex on an inner edge of n cells";
-    result["edges"] = Json::array();
-    for (int n = first; n <= last; ++n) {
-        const Analysis::Spectrum spectrum = Analysis::SpectrumOf(Analysis::EdgeLocalMatrix(scheme, n));
-        const Analysis::EdgeVerdict verdict = Analysis::EdgeVerdictOf(spectrum);
-        result["edges"].push_back({{"cells", n}, {"eigenvalues", EigenvaluesOf(spectrum)}, {"verdict", verdict.text}});
-        constexpr std::size_t kShown = 7;
-        const Analysis::Spectrum shown(spectrum.begin(),
-                                       spectrum.begin() + static_cast<long>(std::min(kShown, spectrum.size())));
-        text += "\n  n = " + std::to_string(n) + "   " + Analysis::SpectrumText(shown) +
-                (spectrum.size() > kShown ? " ..." : "") + "\n          " + verdict.text;
+  private:
+    void Announce(const Sdc::Scheme& scheme) {
+        name_ = Sdc::NameOf(scheme);
+        json_["scheme"] = name_;
+        for (const auto& [name, value] : options_.scheme.values) json_["options"][name] = value;
     }
-    return text;
-}
 
-void RunAnalyze(Session& session, const AnalyzeOptions& options) {
-    const Sdc::Scheme scheme = MakeScheme(options.scheme, {}).scheme;
-    if (options.regular == !options.edge.empty()) {
-        throw UsageError("analyze takes --regular or --edge N: which place is meant?");
+    std::string File() {
+        FilePlaces found = AnalyzeFile(options_.input, options_.scheme, session_);
+        Announce(found.scheme);
+        json_.update(found.json);
+        json_["kinds"] = PlacesJson(found.places);
+        places_ = std::move(found.places);
+        title_ = name_ + ": " + std::filesystem::path(options_.input).filename().string();
+        return name_ + " on " + options_.input + "\n\n" + PlacesText(places_, options_.top) + found.left_out;
     }
-    if (!options.edge.empty() && !std::visit([](const auto& s) { return s.kSolids; }, scheme)) {
-        throw UsageError("--edge is for schemes of solids; " + std::string(Sdc::NameOf(scheme)) +
-                         " is one of surfaces");
+
+    std::string MadeToOrder() {
+        const Sdc::Scheme scheme = MakeScheme(options_.scheme, {}).scheme;
+        Announce(scheme);
+        std::vector<Analysis::Star> stars;
+        std::vector<int> numbers;
+        const auto add = [&](const std::string& group, const std::string& what, Analysis::Star star) {
+            places_.push_back({group, what, 0, {}, {}});
+            stars.push_back(std::move(star));
+        };
+        const auto add_range = [&](const std::string& option, const std::string& text, int least,
+                                   const std::string& group, const std::string& one, const std::string& many,
+                                   auto&& star_of) {
+            const auto [first, last] = RangeOf(option, text, least);
+            for (int n = first; n <= last; ++n) {
+                numbers.push_back(n);
+                add(group, Counted(n, one, many), star_of(n));
+            }
+        };
+        const bool is_tet_oct = Sdc::Takes(scheme, Sdc::Split::TetOct);
+        const std::string face = is_tet_oct ? "triangle" : "quadrilateral";
+        try {
+            if (options_.regular) {
+                add("the regular lattice", RegularPlace(Analysis::IsSolid(scheme), is_tet_oct),
+                    Analysis::RegularStar(scheme));
+            } else if (options_.faces) {
+                add("a vertex inside a face of two tets", "matched", Analysis::FaceStar(scheme, true));
+                add("a vertex inside a face of two tets", "unmatched", Analysis::FaceStar(scheme, false));
+            } else if (!options_.edge.empty()) {
+                if (!Analysis::IsSolid(scheme)) {
+                    throw UsageError("--edge is for schemes of solids; " + name_ + " is one of surfaces");
+                }
+                add_range("--edge", options_.edge, 3, "a vertex on an inner edge of", "cell", "cells",
+                          [&](int n) { return Analysis::EdgeStar(scheme, n); });
+            } else if (!options_.valence.empty()) {
+                add_range("--valence", options_.valence, 3, "a vertex inside a surface of", face, face + "s",
+                          [&](int n) { return Analysis::SurfaceStar(scheme, n, false); });
+            } else {
+                add_range("--border", options_.border, 1, "a vertex on the border of a surface of", face, face + "s",
+                          [&](int n) { return Analysis::SurfaceStar(scheme, n, true); });
+            }
+        } catch (const InvalidInput& error) {
+            throw UsageError(error.what());
+        }
+        session_.Stage("analyze");
+        AnalyzeAll(places_, stars, scheme, session_.progress());
+        session_.EndStage();
+        title_ = name_ + ": " + places_[0].group + (places_.size() > 1 && !numbers.empty() ? " ..." : "");
+        if (options_.regular) return Regular();
+        Json list = PlacesJson(places_);
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            list[i][options_.edge.empty() ? "faces" : "cells"] = numbers[i];
+        json_[options_.edge.empty() ? "places" : "edges"] = std::move(list);
+        return name_ + ", " + PlacesText(places_, 0);
     }
-    session.Stage("analyze");
-    Json result;
-    result["command"] = "analyze";
-    result["scheme"] = Sdc::NameOf(scheme);
-    for (const auto& [name, value] : options.scheme.values) result["options"][name] = value;
-    const std::string text =
-        options.regular ? AnalyzeRegular(scheme, result) : AnalyzeEdges(scheme, options.edge, result);
-    session.EndStage();
-    result["seconds"] = session.Seconds();
-    session.Print(text);
-    session.Finish(result);
-}
+
+    /// All that is known of the one place.
+    std::string Regular() {
+        const Analysis::PlaceReport& report = places_[0].report;
+        const std::vector<double> limit = Far::LimitMaskOf(report.matrix);
+        const int n_neighbors = report.matrix.size() - 1;
+        json_["place"] = places_[0].what;
+        json_["neighbors"] = n_neighbors;
+        json_.update(ReportJson(report));
+        json_["limit_mask"] = limit;
+        std::string text = name_ + ", regular lattice: a vertex and its " +
+                           Counted(n_neighbors, "neighbor", "neighbors") + "\n  eigenvalues  " +
+                           Analysis::SpectrumText(report.spectrum) + "\n  verdict      " + report.verdict.text + "\n";
+        if (report.map) {
+            text += "  Jacobian     of the characteristic map: smallest by largest " + Text(report.map->ratio()) + "\n";
+        }
+        if (!limit.empty() && limit[0] == 1) {
+            text += "  limit mask   1: the vertex stays";
+        } else if (!limit.empty()) {
+            text += "  limit mask   " + Text(limit[0]);
+            for (std::size_t i = 1; i < limit.size(); ++i) text += ", " + Text(limit[i]);
+        }
+        return text;
+    }
+
+    std::string Plot() {
+        session_.Stage("plot");
+        std::ofstream(plot_) << PlacesPlot(places_, options_.input.empty() ? 0 : options_.top, title_);
+        session_.EndStage();
+        json_["outputs"].push_back({{"what", "plot"}, {"file", options_.plot}});
+        return "\nwrote " + options_.plot;
+    }
+
+    const AnalyzeOptions& options_;
+    Session& session_;
+    std::string name_, title_;
+    std::filesystem::path plot_;
+    std::vector<AnalyzedPlace> places_;
+    Json json_;
+};
 
 }  // namespace
 
 Work AddAnalyze(CLI::App& command) {
     const auto options = std::make_shared<AnalyzeOptions>();
-    command.add_flag("--regular", options->regular, "the scheme's regular lattice");
+    AnalyzeOptions& o = *options;
+    command.add_option("FILE", o.input, "a mesh: all kinds of places in it")->option_text(" ");
+    command.add_flag("--regular", o.regular, "the scheme's regular lattice, with its limit mask");
     command
-        .add_option("--edge", options->edge,
+        .add_option("--edge", o.edge,
                     "inner edges with this number of cells and a regular mesh around:\n"
                     "hexahedra, or what a split makes of tets")
         ->option_text("N|N..M");
-    AddSchemeOptions(command, options->scheme);
+    command.add_flag("--face", o.faces, "a face of two tets whose diagonals match, and one where they don't");
+    command.add_option("--valence", o.valence, "vertices inside a surface with this number of faces")
+        ->option_text("N|N..M");
+    command.add_option("--border", o.border, "vertices on a surface's border with this number of faces")
+        ->option_text("N|N..M");
+    command
+        .add_option("--top", o.top,
+                    "of each type of place in a FILE list the N most frequent kinds;\ndefault 10; 0: all. JSON has all")
+        ->option_text("N");
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+    command.add_option("--plot", o.plot, "draw the eigenvalues of the places listed as an SVG")
+        ->option_text("FILE.svg");
+#endif
+    AddSchemeOptions(command, o.scheme);
     command.footer(
-        "\nThe subdivision matrix says how a vertex and its neighbors move in one refinement. Its eigenvalues tell "
-        "how\n"
-        "smooth the limit can be there, the left eigenvector of the eigenvalue 1 is the limit mask.\n\n" +
-        SchemesHelp() +
+        "\nThe subdivision matrix says how a vertex and its neighbors move in one refinement. After the eigenvalue 1 "
+        "the\n"
+        "three largest (two on a surface) belong to the characteristic map, which the limit looks like from near by. "
+        "They\n"
+        "have to be real, positive and above all others, and the map's Jacobian (smallest by largest is shown) of one "
+        "sign:\n"
+        "  C2 spectrum  all that and 1/2, with the next at most 1/4: what C2 needs\n"
+        "  C1           smooth\n"
+        "  C1 uneven    the three differ: smooth, but lengths along some directions shrink faster than along others\n"
+        "  C0           a crease or a peak in general\n"
+        "  diverges\n"
+        "docs/analysis.md has the tables of all schemes. Elements and places with the same matrix are one kind.\n\n" +
+        SchemesHelp() + "\n\n" + ReadableFilesHelp() +
         "\n\nExamples:\n"
-        "  solidsubdiv analyze --regular --scheme box-spline --edge-rule printed-2002\n"
+        "  solidsubdiv analyze lattice.vtu --scheme smooth-tet --top 3 --json lattice.json\n"
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+        "  solidsubdiv analyze lattice.vtu --scheme box-spline --plot lattice.svg\n"
+#endif
         "  solidsubdiv analyze --regular --scheme interpolatory --tension 0.1\n"
-        "  solidsubdiv analyze --edge 3..8 --scheme mlca");
-    return [options](Session& session) { RunAnalyze(session, *options); };
+        "  solidsubdiv analyze --edge 3..16 --scheme mlca\n"
+        "  solidsubdiv analyze --face --scheme interpolatory\n"
+        "  solidsubdiv analyze --valence 3..12 --scheme loop");
+    return [options](Session& session) { AnalyzeCommand(*options, session).Run(); };
 }
 
 }  // namespace SolidSubdiv::Cli

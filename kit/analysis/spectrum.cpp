@@ -28,10 +28,8 @@ Eigenvalue TakeCluster(std::vector<std::complex<double>>& values, double toleran
     return {sum / static_cast<double>(cluster.size()), static_cast<int>(cluster.size())};
 }
 
-constexpr double kTolerance = 1e-6;  // of eigenvalues that are compared
+constexpr double kTolerance = 1e-6;  // of eigenvalues that are compared; QR finds simple ones to 1e-12
 
-constexpr const char* kDiverges =
-    "diverges or does not settle: an eigenvalue of modulus 1 or more besides the single 1";
 bool Settles(const Spectrum& spectrum) {
     return !spectrum.empty() && std::abs(spectrum[0].value - 1.0) <= kTolerance && spectrum[0].multiplicity == 1 &&
            (spectrum.size() == 1 || std::abs(spectrum[1].value) <= 1 - kTolerance);
@@ -56,77 +54,30 @@ Spectrum SpectrumOf(const Far::LocalMatrix& matrix, double tolerance) {
     return spectrum;
 }
 
-Verdict VerdictOf(const Spectrum& spectrum, int dimension) {
-    Verdict v;
-    if (!Settles(spectrum)) {
-        v.text = kDiverges;
-        return v;
-    }
-    v.smoothness = Smoothness::C0;
-    if (spectrum.size() == 1) {
-        v.text = "only the vertex itself";
-        return v;
-    }
-    const double sub = v.subdominant = std::abs(spectrum[1].value);
-    char text[200];
-    if (std::abs(spectrum[1].value.imag()) > kTolerance || spectrum[1].multiplicity != dimension) {
-        std::snprintf(text, sizeof text, "C0: the subdominant eigenvalue %.6g has multiplicity %d, not %d", sub,
-                      spectrum[1].multiplicity, dimension);
-        v.text = text;
-        return v;
-    }
-    const double next = spectrum.size() > 2 ? std::abs(spectrum[2].value) : 0, square = sub * sub;
-    int n_next = 0;
-    for (std::size_t i = 2; i < spectrum.size(); ++i) {
-        if (std::abs(spectrum[i].value) > square - kTolerance) n_next += spectrum[i].multiplicity;
-    }
-    const int n_quadratics = dimension * (dimension + 1) / 2;
-    if (next > square + kTolerance) {
-        v.smoothness = Smoothness::C1;
-        std::snprintf(text, sizeof text, "C1 spectrum, not C2: subdominant %.6g, next %.6g is above its square", sub,
-                      next);
-    } else if (n_next > n_quadratics) {
-        v.smoothness = Smoothness::C1;
-        std::snprintf(text, sizeof text,
-                      "C1 spectrum, not C2: subdominant %.6g, its square has multiplicity %d, quadratics only %d", sub,
-                      n_next, n_quadratics);
-    } else {
-        v.smoothness = Smoothness::C2;
-        std::snprintf(text, sizeof text, "C2 spectrum: subdominant %.6g, next %.6g is at most its square", sub, next);
-    }
-    v.text = text;
-    return v;
-}
-
-EdgeVerdict EdgeVerdictOf(const Spectrum& spectrum) {
-    EdgeVerdict v;
-    if (!Settles(spectrum)) {
-        v.text = kDiverges;
-        return v;
-    }
+Separation SeparationOf(const Spectrum& spectrum, int dimension) {
+    Separation s;
+    s.settles = Settles(spectrum);
+    if (!s.settles) return s;
     int n = 0;
-    bool is_real = true;
-    std::size_t i = 1;
-    for (; i < spectrum.size() && n < 3; ++i) {
-        n += spectrum[i].multiplicity;
-        is_real = is_real && std::abs(spectrum[i].value.imag()) < kTolerance;
+    s.is_positive = true;
+    for (s.end = 1; s.end < spectrum.size() && n < dimension; ++s.end) {
+        const Eigenvalue& e = spectrum[s.end];
+        n += e.multiplicity;
+        s.is_positive = s.is_positive && std::abs(e.value.imag()) < kTolerance && e.value.real() > kTolerance;
+        s.smallest = std::abs(e.value);
     }
-    const double next = i < spectrum.size() ? std::abs(spectrum[i].value) : 0, last = std::abs(spectrum[i - 1].value);
-    v.is_separated = n == 3 && is_real && last > next + kTolerance;
-    char text[200];
-    if (v.is_separated) {
-        std::snprintf(text, sizeof text, "C1 spectrum: three real eigenvalues, the last %.6g, next %.6g", last, next);
-    } else {
-        std::snprintf(text, sizeof text,
-                      "not decided by eigenvalues alone: the third after 1 is no last of three (%.6g)", last);
-    }
-    v.text = text;
-    return v;
+    s.largest = spectrum.size() > 1 ? std::abs(spectrum[1].value) : 0;
+    s.next = n > dimension ? s.smallest : s.end < spectrum.size() ? std::abs(spectrum[s.end].value) : 0;
+    s.is_separated = n == dimension && s.is_positive && s.smallest > s.next + kTolerance;
+    s.is_even = s.is_separated && s.end == 2;
+    return s;
 }
 
-std::string SpectrumText(const Spectrum& spectrum) {
+std::string SpectrumText(const Spectrum& spectrum, std::size_t n_shown) {
     std::string text;
-    for (const Eigenvalue& e : spectrum) {
+    for (std::size_t i = 0; i < spectrum.size(); ++i) {
+        if (i == n_shown) return text + " ...";
+        const Eigenvalue& e = spectrum[i];
         char number[64];
         const double x = e.value.real(), scaled = std::round(x * 64);
         if (std::abs(e.value.imag()) > 1e-7) {

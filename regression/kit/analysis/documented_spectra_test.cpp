@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of docs/schemes/: spectra of the interpolating schemes by tension, by valence and across faces.
 #include <gtest/gtest.h>
-#include <solidsubdiv/kit/analysis/places.h>
-#include <solidsubdiv/kit/analysis/spectrum.h>
 #include <solidsubdiv/kit/analysis/subdivision_matrix.h>
 
 #include <array>
@@ -10,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "kit/analysis/analysis_testing.h"
 #include "test_shapes.h"
 
 namespace {
@@ -21,7 +20,7 @@ constexpr double kQuoted = 5e-4;  // three digits
 
 Smoothness RegularSmoothness(const Sdc::Scheme& scheme) {
     const bool is_solid = std::holds_alternative<Sdc::Interpolatory>(scheme);
-    return VerdictOf(SpectrumOf(RegularLocalMatrix(scheme)), is_solid ? 3 : 2).smoothness;
+    return VerdictOf(SpectrumOf(RegularMatrix(scheme)), is_solid ? 3 : 2).smoothness;
 }
 
 /// The moduli after the eigenvalue 1.
@@ -101,7 +100,7 @@ Spectrum InsideAFace(bool is_matched, const Sdc::Scheme& scheme) {
 TEST(DocumentedSpectra, InsideOriginalFacesAreRegularWhereTheTetsMatch) {
     const Sdc::Scheme interpolatory = Sdc::Interpolatory{}, box_spline = Sdc::BoxSpline{};
     for (const Sdc::Scheme& scheme : {interpolatory, box_spline}) {
-        EXPECT_EQ(SpectrumText(InsideAFace(true, scheme)), SpectrumText(SpectrumOf(RegularLocalMatrix(scheme))));
+        EXPECT_EQ(SpectrumText(InsideAFace(true, scheme)), SpectrumText(SpectrumOf(RegularMatrix(scheme))));
     }
     EXPECT_NEAR(After1(InsideAFace(false, interpolatory))[0], 0.698, kQuoted);
     for (double modulus : After1(InsideAFace(false, interpolatory))) {
@@ -139,17 +138,17 @@ TEST(DocumentedSpectra, AroundEdges) {
     for (const auto& [scheme, by_cells] : all) {
         for (const auto& [n, quoted] : by_cells) {
             SCOPED_TRACE(std::string(Sdc::NameOf(scheme)) + " " + std::to_string(n));
-            const Spectrum spectrum = SpectrumOf(EdgeLocalMatrix(scheme, n));
-            EXPECT_TRUE(EdgeVerdictOf(spectrum).is_separated);
+            const Spectrum spectrum = SpectrumOf(EdgeMatrix(scheme, n));
+            EXPECT_TRUE(SeparationOf(spectrum, 3).is_separated);
             const std::vector<double> moduli = After1(spectrum);
             EXPECT_NEAR(moduli[quoted[0] < 0.5 ? 1 : 0], quoted[0], kQuoted);
             EXPECT_NEAR(moduli[quoted[0] < 0.5 ? 0 : 2], 0.5, 1e-9) << "along the edge";
             EXPECT_NEAR(moduli[3], quoted[1], kQuoted);
         }
     }
-    EXPECT_FALSE(EdgeVerdictOf(SpectrumOf(EdgeLocalMatrix(Sdc::Mlca{}, 8))).is_separated);
+    EXPECT_FALSE(SeparationOf(SpectrumOf(EdgeMatrix(Sdc::Mlca{}, 8)), 3).is_separated);
     for (int n : {5, 7}) {
-        EXPECT_FALSE(EdgeVerdictOf(SpectrumOf(EdgeLocalMatrix(Sdc::Interpolatory{}, n))).is_separated) << n;
+        EXPECT_FALSE(SeparationOf(SpectrumOf(EdgeMatrix(Sdc::Interpolatory{}, n)), 3).is_separated) << n;
     }
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spectra around vertices of every kind: what the interpolating schemes owe (rules.md sections 3 and 6).
 #include <gtest/gtest.h>
-#include <solidsubdiv/kit/analysis/places.h>
-#include <solidsubdiv/kit/analysis/spectrum.h>
 #include <solidsubdiv/kit/analysis/subdivision_matrix.h>
 
+#include "kit/analysis/analysis_testing.h"
 #include "test_shapes.h"
 
 namespace {
@@ -45,7 +44,7 @@ double Modulus(const Spectrum& s, std::size_t i) { return i < s.size() ? std::ab
 
 TEST(MatrixAroundTest, IsTheQuickFormWhereThatSuffices) {
     for (const Sdc::Scheme& scheme : {Sdc::Scheme(Sdc::BoxSpline{}), Sdc::Scheme(Sdc::Loop{})}) {
-        const Spectrum s = SpectrumOf(RegularLocalMatrix(scheme));
+        const Spectrum s = SpectrumOf(RegularMatrix(scheme));
         EXPECT_EQ(SpectrumText(s), std::holds_alternative<Sdc::Loop>(scheme) ? "1, 1/2 x 2, 1/4 x 3, 1/8"
                                                                              : "1, 1/2 x 3, 1/4 x 6, 1/8 x 4, 1/16");
     }
@@ -64,17 +63,17 @@ TEST(MatrixAroundTest, RowsSumToOne) {
 
 TEST(RegularSpectrum, OfTheInterpolatorySchemeIsC1UpToOneSixteenth) {
     for (double w : {1.0 / 16, 0.05, 0.03, 0.01}) {
-        const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::Interpolatory{.tension = w}));
+        const Spectrum s = SpectrumOf(RegularMatrix(Sdc::Interpolatory{.tension = w}));
         EXPECT_EQ(SpectrumText(s).substr(0, 10), "1, 1/2 x 3") << w;
         EXPECT_EQ(VerdictOf(s, 3).smoothness, Smoothness::C1) << w;
     }
-    const Spectrum s = SpectrumOf(RegularLocalMatrix(Sdc::Interpolatory{}));
+    const Spectrum s = SpectrumOf(RegularMatrix(Sdc::Interpolatory{}));
     EXPECT_EQ(SpectrumText(s).substr(0, 16), "1, 1/2 x 3, 1/4 ") << "quadratics are reproduced";
 }
 
 TEST(RegularSpectrum, OfTheInterpolatorySchemeConvergesBelowOneEighthOnly) {
     const auto second = [](double w) {
-        return Modulus(SpectrumOf(RegularLocalMatrix(Sdc::Interpolatory{.tension = w})), 1);
+        return Modulus(SpectrumOf(RegularMatrix(Sdc::Interpolatory{.tension = w})), 1);
     };
     EXPECT_GT(second(0.09), 0.5 + 1e-2) << "no longer C1";
     EXPECT_NEAR(second(0.12), 1 - 12 * 0.005, 1e-9) << "-12 w + 1/2 in modulus: it reaches 1 at 1/8";

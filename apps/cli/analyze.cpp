@@ -82,7 +82,7 @@ class AnalyzeCommand {
     }
 
     std::string File() {
-        FilePlaces found = AnalyzeFile(options_.input, options_.scheme, session_);
+        FilePlaces found = AnalyzeFile(options_.input, options_.scheme, options_.top == 0, session_);
         Announce(found.scheme);
         json_.update(found.json);
         json_["kinds"] = PlacesJson(found.places);
@@ -205,7 +205,8 @@ Work AddAnalyze(CLI::App& command) {
         ->option_text("N|N..M");
     command
         .add_option("--top", o.top,
-                    "of each type of place in a FILE list the N most frequent kinds;\ndefault 10; 0: all. JSON has all")
+                    "of each type of place in a FILE list the N most frequent kinds;\ndefault 10; 0: all. JSON has all "
+                    "of the 2000 that are analyzed,\nwith 0 of all there are")
         ->option_text("N");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
     command.add_option("--plot", o.plot, "draw the eigenvalues of the places listed as an SVG")

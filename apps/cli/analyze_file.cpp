@@ -3,6 +3,7 @@
 #include <solidsubdiv/apps/cli/analyze_file.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include <solidsubdiv/apps/cli/kind_check.h>
@@ -70,7 +71,7 @@ RefinementSettings Settings(const Io::Mesh& mesh, const SchemeOptions& options) 
 
 }  // namespace
 
-FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, Session& session) {
+FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, bool wants_all, Session& session) {
     session.Stage("read");
     Io::Mesh mesh = Io::ReadMesh(file);
     for (const std::string& note : mesh.notes) session.Note(file + ": " + note);
@@ -86,7 +87,13 @@ FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, Se
             throw InvalidInput("no place to analyze: no vertices inside a solid or a surface, no edges inside");
         }
         std::vector<Analysis::Star> stars;
+        std::map<PlaceType, std::pair<Index, Index>> taken, left;  // kinds and places
         for (const Analysis::PlaceKind& kind : all.kinds) {
+            auto& [n_kinds, n_places] =
+                taken[kind.type].first < kMostKinds || wants_all ? taken[kind.type] : left[kind.type];
+            ++n_kinds;
+            n_places += kind.count;
+            if (left.contains(kind.type)) continue;
             found.places.push_back(
                 {NamesOf(kind.type).first, kind.what, kind.count, ExampleOf(refiner, kind), Analysis::PlaceReport{}});
             stars.push_back(StarOf(refiner, kind));
@@ -97,6 +104,11 @@ FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, Se
         found.json = {{"file", file},
                       {"vertices", refiner.n_vertices(0)},
                       {"not_analyzed", {{"on_creases", all.n_creased}, {"others", all.n_others}}}};
+        for (const auto& [type, n] : left) {
+            found.json["not_analyzed"][NamesOf(type).first] = n.second;
+            found.left_out += "\n\nnot analyzed: " + std::to_string(n.second) + " " + NamesOf(type).first + " of " +
+                              Counted(n.first, "rarer kind", "rarer kinds") + "; --top 0 analyzes all";
+        }
         if (all.n_creased > 0) {
             found.left_out += "\n\nnot analyzed: " + Counted(all.n_creased, "vertex", "vertices") +
                               " on creases and corners, which follow the curve rule or stay";

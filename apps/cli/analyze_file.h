@@ -18,8 +18,10 @@ struct FilePlaces {
     Json json;             ///< of the mesh: counts and what is left out
 };
 
-/// Reads, orients, chooses diagonals, sorts the places into kinds and analyzes one of each.
+/// Reads, orients, chooses diagonals, sorts the places into kinds and analyzes one of each: of each type of place at
+/// most the kMostKinds most frequent, unless wants_all.
 /// @throws InvalidInput about the file where the scheme does not take it or where there is no place
-FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, Session& session);
+inline constexpr Index kMostKinds = 2000;
+FilePlaces AnalyzeFile(const std::string& file, const SchemeOptions& options, bool wants_all, Session& session);
 
 }  // namespace SolidSubdiv::Cli

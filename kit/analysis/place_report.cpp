@@ -2,6 +2,11 @@
 // Eigenvalues first; the characteristic map where they don't decide.
 #include <solidsubdiv/kit/analysis/place_report.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
 #include <solidsubdiv/kit/analysis/subdivision_matrix.h>
 
 namespace SolidSubdiv::Analysis {
@@ -12,6 +17,17 @@ Far::TopologyRefiner Refined(const Star& star, int n_levels) {
     auto refiner = Far::TopologyRefiner::Create(star.View(), star.split);
     refiner.RefineUniform({.max_level = n_levels});
     return refiner;
+}
+
+/// How far the sums of rows are from 1: then the matrix moves what it should only combine.
+double ErrorOfSums(const Far::LocalMatrix& m) {
+    const auto n = static_cast<std::size_t>(m.size());
+    double error = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto row = m.weights.begin() + static_cast<std::ptrdiff_t>(i * n);
+        error = std::max(error, std::abs(std::accumulate(row, row + m.size(), 0.0) - 1));
+    }
+    return error;
 }
 
 }  // namespace
@@ -31,6 +47,11 @@ PlaceReport AnalyzeStar(const Star& star, const Sdc::Scheme& scheme) {
 PlaceReport AnalyzeMatrix(Far::LocalMatrix matrix, const Star& star, const Sdc::Scheme& scheme) {
     PlaceReport report;
     report.matrix = std::move(matrix);
+    if (const double error = ErrorOfSums(report.matrix); error > 1e-9) {  // round-off of hundreds of weights
+        report.spectrum = SpectrumOf(report.matrix);
+        report.verdict.text = "not affine: a row's weights are off the sum 1 by " + std::to_string(error);
+        return report;
+    }
     report.spectrum = SpectrumOf(report.matrix);
     const Separation separation = SeparationOf(report.spectrum, star.dimension);
     if (separation.is_separated || (separation.is_positive && star.is_on_edge)) {

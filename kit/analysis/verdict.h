@@ -17,7 +17,7 @@
 namespace SolidSubdiv::Analysis {
 
 enum class Smoothness {
-    Diverges,  ///< an eigenvalue of modulus 1 or more besides the single 1
+    Diverges,  ///< an eigenvalue of modulus 1 or more besides the single 1, or rows that do not sum to 1
     C0,        ///< the `dimension` eigenvalues after 1 are not real, positive and above all others, or lack
                ///< eigenvectors, or the characteristic map folds
     Uneven,    ///< they are, but are not equal: C1 in the coordinates of the characteristic map, which shrink at rates

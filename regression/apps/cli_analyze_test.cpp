@@ -104,6 +104,15 @@ TEST_F(CliAnalyze, SurfacesHaveTheirValences) {
     EXPECT_EQ(result["kinds"][0]["smoothness"], "C1");
 }
 
+TEST_F(CliAnalyze, SaysTheSameForAnyNumberOfThreads) {
+    WriteMesh("solid.vtu", TwentyEightTets());
+    nlohmann::json one = Json("analyze solid.vtu --scheme interpolatory --threads 1");
+    nlohmann::json three = Json("analyze solid.vtu --scheme interpolatory --threads 3");
+    one.erase("seconds");
+    three.erase("seconds");
+    EXPECT_EQ(one, three);
+}
+
 TEST_F(CliAnalyze, PlotsWhatItLists) {
     if (MustRun("analyze --help").out.find("--plot") == std::string::npos) GTEST_SKIP() << "built without pictures";
     MustRun("analyze --edge 3..6 --scheme mlca --plot edges.svg");

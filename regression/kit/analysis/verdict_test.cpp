@@ -65,8 +65,9 @@ TEST(AnalyzeMatrixTest, APerturbedRowChangesTheVerdict) {
     m.weights[n + 1] += 1e-3;
     m.weights[n] -= 1e-3;
     EXPECT_NE(AnalyzeMatrix(m, star, scheme).verdict.smoothness, Smoothness::C2);
-    m.weights[0] += 0.7;  // no longer affine
+    m.weights[0] -= 1e-3;  // no longer affine; all eigenvalues stay below 1
     EXPECT_EQ(AnalyzeMatrix(m, star, scheme).verdict.smoothness, Smoothness::Diverges);
+    EXPECT_EQ(AnalyzeMatrix(m, star, scheme).verdict.text.substr(0, 10), "not affine");
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ std::string GroupText(const std::vector<const AnalyzedPlace*>& group, std::size_
         total += group[i]->count;
         if (i >= n) others += group[i]->count;
         if (i < n) width = std::max(width, group[i]->what.size());
+        count_width = std::max(count_width, std::to_string(group[i]->count).size());
     }
     std::string text = group[0]->group;
     if (has_counts) {

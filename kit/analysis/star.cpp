@@ -94,16 +94,44 @@ Star CellsWith(const Far::TopologyRefiner& refiner, int level, Vertices vertices
     return gatherer.Take();
 }
 
+/// Turns faces at a vertex so that all are seen from one side: cells of no volume may have their faces either way.
+void Orient(std::vector<std::vector<Index>>& faces, Index vertex) {
+    const auto next = [&](const std::vector<Index>& face, bool forward) {
+        const auto n = face.size();
+        const auto at = static_cast<std::size_t>(std::find(face.begin(), face.end(), vertex) - face.begin());
+        return face[(at + (forward ? 1 : n - 1)) % n];
+    };
+    for (std::size_t done = 1; done < faces.size(); ++done) {
+        for (std::size_t i = done; i < faces.size(); ++i) {
+            const auto meets = [&](const std::vector<Index>& known, bool a, bool b) {
+                return next(known, a) == next(faces[i], b);
+            };
+            const auto begin = faces.begin(), end = begin + static_cast<std::ptrdiff_t>(done);
+            const bool fits =
+                std::any_of(begin, end, [&](const auto& f) { return meets(f, true, false) || meets(f, false, true); });
+            const bool is_turned =
+                std::any_of(begin, end, [&](const auto& f) { return meets(f, true, true) || meets(f, false, false); });
+            if (!fits && !is_turned) continue;
+            if (is_turned) std::reverse(faces[i].begin(), faces[i].end());
+            std::swap(faces[done], faces[i]);
+            break;
+        }
+    }
+}
+
 /// Boundary faces that have a vertex, or the one that is `only`.
 template <class AnyLevel>
 Star FacesOf(const AnyLevel& level, Sdc::Split split, Index vertex, Index only) {
     const Index first[] = {vertex};
-    Gatherer gatherer(split, 2, Vertices(first, only == kNoIndex ? 1 : 0));
+    std::vector<std::vector<Index>> faces;
     for (Index b = 0; b < level.n_boundary_faces; ++b) {
-        const bool is_kept =
-            only == kNoIndex ? Contains(level.BoundaryVertices(b), vertex) : level.boundary_faces[b] == only;
-        if (is_kept) gatherer.AddFace(level.BoundaryVertices(b));
+        const Vertices face = level.BoundaryVertices(b);
+        const bool is_kept = only == kNoIndex ? Contains(face, vertex) : level.boundary_faces[b] == only;
+        if (is_kept) faces.emplace_back(face.begin(), face.end());
     }
+    if (only == kNoIndex) Orient(faces, vertex);
+    Gatherer gatherer(split, 2, Vertices(first, only == kNoIndex ? 1 : 0));
+    for (const auto& face : faces) gatherer.AddFace(face);
     return gatherer.Take();
 }
 

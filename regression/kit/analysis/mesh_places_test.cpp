@@ -186,6 +186,25 @@ TEST(PlacesOfTest, OfOtherCellsAreThoseOfTheirPoints) {
               SpectrumText(SpectrumOf(EdgeMatrix(scheme, 3))));
 }
 
+// Of a cell of no volume nothing says which way round it is.
+TEST(PlacesOfTest, OfSurfacesDontDependOnHowCellsAreTurned) {
+    TestShapes::Shape s = TestShapes::KuhnBlock(2);
+    const Sdc::Scheme scheme = Sdc::BoxSpline{};
+    const auto smoothness = [&] {
+        std::vector<Smoothness> all;
+        const auto refiner = RefinerOf(s);
+        for (Index v = 0; v < s.n_vertices; ++v) {
+            if (refiner.level(0).vertex_tags[v].rule() != Vtr::Rule::Surface) continue;
+            all.push_back(AnalyzeStar(StarOf(refiner, 0, v, true), scheme).verdict.smoothness);
+        }
+        return all;
+    };
+    const auto before = smoothness();
+    EXPECT_EQ(before.size(), 26u);
+    for (std::size_t t = 0; t < s.tets.size(); t += 20) std::swap(s.tets[t + 2], s.tets[t + 3]);
+    EXPECT_EQ(smoothness(), before);
+}
+
 TEST(PlacesOfTest, LeaveOutCreasesAndMixedPlacesAndCountThem) {
     const MeshPlaces mixed = PlacesOf(RefinerOf(TestShapes::MixedDimensions()), Sdc::BoxSpline{});
     EXPECT_GT(mixed.n_others, 0);

@@ -266,7 +266,7 @@ bool EdgeEigenvalues::is_separated() const {
 
 std::optional<CharacteristicMap> MakeCharacteristicMap(const Far::TopologyRefiner& refiner, const Star& star,
                                                        const Sdc::Scheme& scheme, const Spectrum& spectrum,
-                                                       const MapLevels& levels) {
+                                                       const MapLevels& levels, bool sorts_edge) {
     const int last = levels.max_level(), ring_level = levels.ring_level, dimension = star.dimension;
     const Far::StencilTable table = Far::StencilTable::Create(refiner, scheme);
     const Internal::Neighborhood neighborhood(refiner, 0, 0, ring_level, star.is_on_edge);
@@ -276,10 +276,9 @@ std::optional<CharacteristicMap> MakeCharacteristicMap(const Far::TopologyRefine
     const auto d = static_cast<std::size_t>(dimension);
     CharacteristicMap map;
     const Eigen::Map<const RowMajor> core_matrix(core->weights.data(), core->size(), core->size());
-    const Separation separation = SeparationOf(spectrum, dimension);
     std::vector<Function> functions;
-    if (separation.is_separated || !star.is_on_edge) {
-        functions = FirstFunctions(core_matrix, spectrum, separation.end);
+    if (!sorts_edge) {
+        functions = FirstFunctions(core_matrix, spectrum, SeparationOf(spectrum, dimension).end);
     } else {
         map.edge.emplace();
         functions = FunctionsOfEdge(core_matrix, spectrum, neighborhood.StepsAlong(core->ring), *map.edge);

@@ -46,11 +46,11 @@ struct MapLevels {
 
 /// Around vertex 0 of level 0, the middle of a star (kit/analysis/star.h) that was refined to levels.max_level(), from
 /// the eigenvectors after 1 that the star's dimension asks for. None where rows leave the star: for schemes that reach
-/// far ring_level 3 is needed. On an edge, where these don't stand above the others, from the pair across and the one
-/// along. @pre the eigenvalues are real
+/// far ring_level 3 is needed. @param sorts_edge on an edge, from the pair across and the one along instead
+/// @pre the eigenvalues are real
 std::optional<CharacteristicMap> MakeCharacteristicMap(const Far::TopologyRefiner& refiner, const Star& star,
                                                        const Sdc::Scheme& scheme, const Spectrum& spectrum,
-                                                       const MapLevels& levels);
+                                                       const MapLevels& levels, bool sorts_edge = false);
 
 /// Jacobians of control cells under given points. @param points (n_vertices of the level, dimension), row-major; cells
 /// with a vertex that is not finite are left out. What the map does with its ring; and for planted faults.

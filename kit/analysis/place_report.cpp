@@ -30,6 +30,19 @@ double ErrorOfSums(const Far::LocalMatrix& m) {
     return error;
 }
 
+/// Of the eigenvalues after 1 if they stand above all others, or, on an edge, of those across it and along it.
+std::optional<CharacteristicMap> MapOf(const Star& split, const Sdc::Scheme& scheme, const Spectrum& spectrum,
+                                       bool sorts_edge) {
+    const Separation separation = SeparationOf(spectrum, split.dimension);
+    if (sorts_edge ? !separation.is_positive : !separation.is_separated) return std::nullopt;
+    // Most schemes reach two rings far; where rows leave the star, a finer ring has more room and fewer samples.
+    for (const MapLevels levels : {MapLevels{2, split.dimension == 2 ? 4 : 2}, MapLevels{3, 1}}) {
+        const auto refiner = Refined(split, levels.max_level());
+        if (auto map = MakeCharacteristicMap(refiner, split, scheme, spectrum, levels, sorts_edge)) return map;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Far::LocalMatrix MatrixOf(const Star& star, const Sdc::Scheme& scheme) {
@@ -53,15 +66,16 @@ PlaceReport AnalyzeMatrix(Far::LocalMatrix matrix, const Star& star, const Sdc::
         return report;
     }
     report.spectrum = SpectrumOf(report.matrix);
-    const Separation separation = SeparationOf(report.spectrum, star.dimension);
-    if (separation.is_separated || (separation.is_positive && star.is_on_edge)) {
-        const Star split = SplitOnce(star);
-        // Most schemes reach two rings far; where rows leave the star, a finer ring has more room and fewer samples.
-        for (const MapLevels levels : {MapLevels{2, star.dimension == 2 ? 4 : 2}, MapLevels{3, 1}}) {
-            if (report.map) break;
-            report.map =
-                MakeCharacteristicMap(Refined(split, levels.max_level()), split, scheme, report.spectrum, levels);
-        }
+    const Star split = SplitOnce(star);
+    report.map = MapOf(split, scheme, report.spectrum, false);
+    if (report.map && report.map->is_defective) {  // or the eigenvalues are close and not equal
+        const Spectrum fine = SpectrumOf(report.matrix, 1e-7);
+        const auto map = MapOf(split, scheme, fine, false);
+        if (map && !map->is_defective) report.spectrum = fine, report.map = map;
+    }
+    if (star.is_on_edge && !(report.map && report.map->is_regular())) {
+        const auto map = MapOf(split, scheme, report.spectrum, true);
+        if (map && map->is_regular()) report.map = map;
     }
     report.verdict = VerdictOf(report.spectrum, star.dimension, report.map);
     return report;

@@ -2,6 +2,9 @@
 // Characteristic maps: regular where the literature says so, folded and collapsed ones found.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <vector>
+
 #include "kit/analysis/analysis_testing.h"
 
 namespace {
@@ -95,6 +98,33 @@ TEST(CharacteristicMapTest, TellsFunctionsAlongAnEdgeFromThoseAcross) {
     for (int n : {5, 7, 9}) {
         EXPECT_EQ(AnalyzeStar(EdgeStar(interpolatory, n), interpolatory).verdict.smoothness, Smoothness::C0) << n;
     }
+}
+
+// Seven tets around an edge, three with their diagonal along it: two eigenvalues .5692 are 1e-4 apart, not equal.
+TEST(CharacteristicMapTest, TakesCloseEigenvaluesForTwo) {
+    const Sdc::Scheme scheme = Sdc::BoxSpline{};
+    int n_close = 0;
+    for (unsigned along = 0; along < 128; ++along) {
+        if (std::popcount(along) != 3) continue;
+        std::vector<Index> tets;
+        for (int i = 0; i < 7; ++i) {
+            const Index a = 2 + i, b = 2 + (i + 1) % 7;
+            if ((along >> i & 1) != 0) {
+                tets.insert(tets.end(), {0, 1, a, b});
+            } else if (i % 2 == 0) {
+                tets.insert(tets.end(), {0, a, b, 1});
+            } else {
+                tets.insert(tets.end(), {0, b, 1, a});
+            }
+        }
+        const auto refiner = Far::TopologyRefiner::Create({.n_vertices = 9, .tets = tets}, Sdc::Split::TetOct);
+        const Star star = PointOnEdge(refiner, 0, refiner.level(0).FindEdge(0, 1));
+        const Spectrum coarse = SpectrumOf(MatrixOf(star, scheme));
+        n_close += coarse[1].multiplicity == 2 && SpectrumOf(MatrixOf(star, scheme), 1e-7)[1].multiplicity == 1;
+        const PlaceReport report = AnalyzeStar(star, scheme);
+        EXPECT_FALSE(report.map && report.map->is_defective) << along << " " << report.verdict.text;
+    }
+    EXPECT_GT(n_close, 0) << "the test meets the case";
 }
 
 }  // namespace

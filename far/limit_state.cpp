@@ -13,14 +13,10 @@ LimitState::LimitState(const Pocket& p)
       pocket(p),
       corner_flags(std::make_unique<std::once_flag[]>(static_cast<std::size_t>(p.n_root_vertices))),
       corners(static_cast<std::size_t>(p.n_root_vertices)) {
-    const auto add = [&](std::span<const Index> face) {
-        root_faces.vertices.insert(root_faces.vertices.end(), face.begin(), face.end());
-        root_faces.End();
-    };
     if (root == RootKind::Polyhedron) {
-        for (Index f = 0; f < static_cast<Index>(p.cell_offsets[1]); ++f) add(p.cell_faces[f]);
+        for (Index f = 0; f < static_cast<Index>(p.cell_offsets[1]); ++f) root_faces.Add(p.cell_faces[f]);
     } else if (root == RootKind::Face && !p.is_tet_oct && n_root_vertices != 4) {
-        add(p.faces[0]);
+        root_faces.Add(p.faces[0]);
     }
 }
 

@@ -42,7 +42,10 @@ struct VertexLists {
     std::vector<Offset> offsets{0};
     std::vector<Index> vertices;
 
-    void End() { offsets.push_back(static_cast<Offset>(vertices.size())); }
+    void Add(std::span<const Index> list) {
+        vertices.insert(vertices.end(), list.begin(), list.end());
+        offsets.push_back(static_cast<Offset>(vertices.size()));
+    }
     Index size() const { return static_cast<Index>(offsets.size()) - 1; }
     std::span<const Index> operator[](Index i) const {
         return {

@@ -253,8 +253,7 @@ class PocketGrowth final : public PocketSource {
                 break;
             case RootKind::Face:
                 if (!is_root) Rotate(v);
-                pocket_.faces.vertices.insert(pocket_.faces.vertices.end(), v.begin(), v.end());
-                pocket_.faces.End();
+                pocket_.faces.Add(v);
                 break;
         }
     }
@@ -273,10 +272,7 @@ class PocketGrowth final : public PocketSource {
                 if (!is_root) Rotate(face);
             }
             if (!is_root) std::sort(faces.begin(), faces.end());
-            for (const auto& face : faces) {
-                pocket_.cell_faces.vertices.insert(pocket_.cell_faces.vertices.end(), face.begin(), face.end());
-                pocket_.cell_faces.End();
-            }
+            for (const auto& face : faces) pocket_.cell_faces.Add(face);
             pocket_.cell_offsets.push_back(pocket_.cell_faces.size());
         }
     }
@@ -313,10 +309,7 @@ class PocketGrowth final : public PocketSource {
         if constexpr (!Complex::kAreFaces) {
             add_all(
                 sheets, [&](Index f) { return level.FaceVertices(f); },
-                [&](const std::vector<Index>& face) {
-                    pocket_.faces.vertices.insert(pocket_.faces.vertices.end(), face.begin(), face.end());
-                    pocket_.faces.End();
-                });
+                [&](const std::vector<Index>& face) { pocket_.faces.Add(face); });
         }
         add_all(
             curves, [&](Index e) { return level.EdgeVertices(e); },

@@ -6,6 +6,7 @@
 #include <solidsubdiv/far/internal/limit_states.h>
 #include <solidsubdiv/far/internal/row_buffer.h>
 #include <solidsubdiv/far/internal/with_rows.h>
+#include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/base_level.h>
 #include <solidsubdiv/vtr/polyhedral_base.h>
 #include <solidsubdiv/vtr/polyhedral_refinement.h>
@@ -229,6 +230,7 @@ class LimitExpansion {
 
 void LimitStates::Expand(LimitState& state) {
     std::call_once(state.expansion, [&] {
+        const Sdc::SerialScope serial;  // other threads may wait for this
         state.children = LimitExpansion(*this, state.pocket, state.rows).Run();
         state.pocket = {};
         Offset bytes = state.rows.Bytes();

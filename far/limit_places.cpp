@@ -16,6 +16,8 @@ namespace SolidSubdiv::Far {
 
 namespace {
 
+constexpr Offset kChunk = 256;  // places that a thread takes at a time
+
 /// Rows made one after another: of each its weights in the point and in the derivatives, by vertex.
 struct RowsOfChunk {
     std::vector<Index> indices;
@@ -40,6 +42,11 @@ class LimitStatesBySize {
         return reach;
     }
     Internal::LimitStates& operator[](int size) { return *states_[static_cast<std::size_t>(size)]; }
+    std::size_t n_states() const {
+        std::size_t n = 0;
+        for (const auto& states : states_) n += states->n_states();
+        return n;
+    }
     Offset Bytes() const {
         Offset bytes = 0;
         for (const auto& states : states_) bytes += states->Bytes();
@@ -129,18 +136,69 @@ void LimitPlacesOptions::Validate() const {
     }
 }
 
-LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
-                                            std::span<const Place> places, const LimitPlacesOptions& options) {
+struct LimitStencilTableFactory::State {
+    const TopologyRefiner& refiner;
+    const Sdc::Scheme scheme;
+    const LimitPlacesOptions options;
+    const Sharpness sharpness;  // of the level
+    std::optional<LimitStatesBySize> states;
+    std::vector<PlaceRowMaker> makers;  // one a thread
+
+    void Forget() {
+        makers.clear();
+        states.emplace(scheme, options.elements);
+    }
+    /// Makes rows [first, end) of the places in the order given, chunk by chunk.
+    void Make(std::span<const Place> places, std::span<const Offset> order, Offset first_chunk, Offset end_chunk,
+              int n_columns, std::vector<RowsOfChunk>& chunks) {
+        const Offset n_threads = Sdc::ThreadCount();
+        while (static_cast<Offset>(makers.size()) < n_threads)
+            makers.emplace_back(refiner, sharpness, options, *states);
+        std::atomic<Offset> next_chunk{first_chunk};
+        Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
+            for (Offset thread = begin; thread < end; ++thread) {
+                for (Offset c = next_chunk++; c < end_chunk; c = next_chunk++) {
+                    const std::size_t from = static_cast<std::size_t>(c) * kChunk;
+                    for (std::size_t i = from; i < std::min(order.size(), from + kChunk); ++i) {
+                        makers[static_cast<std::size_t>(thread)].Add(places[static_cast<std::size_t>(order[i])],
+                                                                     n_columns, chunks[static_cast<std::size_t>(c)]);
+                    }
+                }
+            }
+        });
+    }
+};
+
+LimitStencilTableFactory::LimitStencilTableFactory(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                                   const LimitPlacesOptions& options) {
     options.Validate();
     Internal::CheckScheme(refiner, scheme);
-    CheckPlaces(refiner, options.level, places, options.elements);
+    CheckPlaces(refiner, options.level, {}, options.elements);
     if (!refiner.is_full(options.level)) {
         throw InvalidInput("limits in level " + std::to_string(options.level) +
                            " need its full topology: refine with full_topology_in_last_level");
     }
-    const Sharpness sharpness = Internal::SharpnessOfLevels(refiner, scheme, options.level + 1).back();
-    constexpr Offset kMostBytes = Offset{1} << 30;  // of states that are kept: then they are found anew
-    std::optional<LimitStatesBySize> states;
+    state_.reset(new State{
+        refiner, scheme, options, Internal::SharpnessOfLevels(refiner, scheme, options.level + 1).back(), {}, {}});
+    state_->Forget();
+}
+
+LimitStencilTableFactory::~LimitStencilTableFactory() = default;
+LimitStencilTableFactory::LimitStencilTableFactory(LimitStencilTableFactory&&) noexcept = default;
+LimitStencilTableFactory& LimitStencilTableFactory::operator=(LimitStencilTableFactory&&) noexcept = default;
+
+std::size_t LimitStencilTableFactory::n_neighborhoods() const { return state_->states->n_states(); }
+Offset LimitStencilTableFactory::Bytes() const { return state_->states->Bytes(); }
+
+LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                                            std::span<const Place> places, const LimitPlacesOptions& options) {
+    return LimitStencilTableFactory(refiner, scheme, options).Create(places);
+}
+
+LimitStencilTable LimitStencilTableFactory::Create(std::span<const Place> places) {
+    const TopologyRefiner& refiner = state_->refiner;
+    const LimitPlacesOptions& options = state_->options;
+    CheckPlaces(refiner, options.level, places, options.elements);
 
     // Places in one element follow each other.
     const Offset n = static_cast<Offset>(places.size());
@@ -149,35 +207,15 @@ LimitStencilTable LimitStencilTable::Create(const TopologyRefiner& refiner, cons
     std::stable_sort(order.begin(), order.end(), [&](Offset a, Offset b) {
         return places[static_cast<std::size_t>(a)].element < places[static_cast<std::size_t>(b)].element;
     });
-    constexpr Offset kChunk = 256;
     const Offset n_chunks = (n + kChunk - 1) / kChunk;
     const int n_columns = 1 + Internal::NDerivatives(options.elements, options.order);
     std::vector<RowsOfChunk> chunks(static_cast<std::size_t>(n_chunks));
-    const Offset n_threads = Sdc::ThreadCount();
-    std::vector<PlaceRowMaker> makers;
-    const auto start = [&] {  // with no states
-        makers.clear();
-        states.emplace(scheme, options.elements);
-        for (Offset i = 0; i < n_threads; ++i) makers.emplace_back(refiner, sharpness, options, *states);
-    };
-    start();
-    const Offset wave = 16 * n_threads;
+    constexpr Offset kMostBytes = Offset{1} << 30;  // of states that are kept: then they are found anew
+    const Offset wave = 16 * Sdc::ThreadCount();
     for (Offset first = 0; first < n_chunks; first += wave) {
         Report(options.progress, "limit rows", static_cast<double>(first) / static_cast<double>(n_chunks));
-        if (states->Bytes() > kMostBytes) start();
-        std::atomic<Offset> next_chunk{first};
-        const Offset end_chunk = std::min(n_chunks, first + wave);
-        Sdc::ParallelFor(n_threads, 1, [&](Offset begin, Offset end) {
-            for (Offset thread = begin; thread < end; ++thread) {
-                for (Offset c = next_chunk++; c < end_chunk; c = next_chunk++) {
-                    for (Offset i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
-                        makers[static_cast<std::size_t>(thread)].Add(
-                            places[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])], n_columns,
-                            chunks[static_cast<std::size_t>(c)]);
-                    }
-                }
-            }
-        });
+        if (Bytes() > kMostBytes) state_->Forget();
+        state_->Make(places, order, first, std::min(n_chunks, first + wave), n_columns, chunks);
     }
     Report(options.progress, "limit rows", 1.0);
 

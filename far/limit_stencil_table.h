@@ -9,12 +9,15 @@
 //     samples.rows();                // points
 //     samples.DerivativeRows(0);     // d point / du
 //
+// Who asks for places again and again keeps a LimitStencilTableFactory, which keeps what it finds out.
+//
 // Regular places in closed form: the quintic box spline in tets and octahedra (chang2002boxspline; rules.md section 2),
 // tricubic and bicubic B-splines, Loop's quartic. Elsewhere the neighbourhood is refined towards the place until it is
 // regular; what never becomes so (an extraordinary vertex, a point on an extraordinary edge) from eigenvectors of the
 // matrix that repeats there. docs/limits.md says how.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <solidsubdiv/far/place.h>
@@ -49,8 +52,6 @@ class LimitStencilTable {
     /// uv, (uw,) vv (, vw, ww). On elements that meet, values agree, derivatives only as far as coordinates do.
     /// Boundary faces are taken as surfaces of their own.
     /// @throws InvalidInput as CheckPlaces, and as the other Create
-    /// Cost: products of rows of some tens of weights, one a level until the place is regular; the same bits for any
-    /// number of threads.
     static LimitStencilTable Create(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                     std::span<const Place> places, const LimitPlacesOptions& options);
 
@@ -76,10 +77,38 @@ class LimitStencilTable {
     const std::vector<Index>& without_limit() const { return without_limit_; }
 
   private:
+    friend class LimitStencilTableFactory;
+
     StencilRows<double> rows_;
     std::vector<Array<double>> derivatives_;
     std::vector<Index> without_limit_;
     std::vector<Defect> defects_;
+};
+
+/// Makes tables of places in one level under one scheme, and keeps what it finds out about neighbourhoods: those with
+/// the same topology, anywhere in the mesh and at any depth, are refined once.
+///
+/// Cost: products of rows of some tens of weights, one a level until the place is regular. The same bits for any number
+/// of threads, and whatever was asked before.
+class LimitStencilTableFactory {
+  public:
+    /// The refiner must outlive this. @throws InvalidInput as LimitStencilTable::Create
+    LimitStencilTableFactory(const TopologyRefiner& refiner, const Sdc::Scheme& scheme,
+                             const LimitPlacesOptions& options);
+    ~LimitStencilTableFactory();
+    LimitStencilTableFactory(LimitStencilTableFactory&&) noexcept;
+    LimitStencilTableFactory& operator=(LimitStencilTableFactory&&) noexcept;
+
+    /// @throws InvalidInput as CheckPlaces, Cancelled
+    LimitStencilTable Create(std::span<const Place> places);
+
+    /// Of neighbourhoods kept: how many, and about the bytes they take (a gigabyte at most: then they are forgotten).
+    std::size_t n_neighborhoods() const;
+    Offset Bytes() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace SolidSubdiv::Far

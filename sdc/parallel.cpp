@@ -18,6 +18,13 @@
 
 namespace SolidSubdiv::Sdc {
 
+namespace {
+thread_local int serial_scopes = 0;  // of this thread
+}
+
+SerialScope::SerialScope() { ++serial_scopes; }
+SerialScope::~SerialScope() { --serial_scopes; }
+
 #if defined(SOLIDSUBDIV_THREADS_TBB)
 
 int ThreadCount() {
@@ -35,7 +42,7 @@ ThreadLimit::ThreadLimit(int n_threads)
 void Internal::ParallelForRanges(Offset n, Offset grain, RangeFunction function, void* context) {
     if (n <= 0) return;
     const Offset n_chunks = (n + grain - 1) / grain;
-    if (n_chunks == 1) return function(context, 0, n);
+    if (n_chunks == 1 || serial_scopes > 0) return function(context, 0, n);
     tbb::parallel_for(tbb::blocked_range<Offset>(0, n_chunks), [&](const tbb::blocked_range<Offset>& chunks) {
         function(context, chunks.begin() * grain, std::min(chunks.end() * grain, n));
     });
@@ -65,7 +72,7 @@ void Internal::ParallelForRanges(Offset n, Offset grain, RangeFunction function,
     if (n <= 0) return;
     const Offset n_chunks = (n + grain - 1) / grain;
     const Offset n_threads = std::min<Offset>(ThreadCount(), n_chunks);
-    if (n_threads == 1) return function(context, 0, n);
+    if (n_threads == 1 || serial_scopes > 0) return function(context, 0, n);
 
     std::atomic<Offset> next{0};
     std::exception_ptr error;

@@ -29,6 +29,16 @@ class ThreadLimit {
     std::unique_ptr<State> state_;
 };
 
+/// While it lives, parallel loops that this thread starts run in it alone. For work that others wait for: a thread in
+/// the middle of it must not take up a task that waits as well.
+class SerialScope {
+  public:
+    SerialScope();
+    ~SerialScope();
+    SerialScope(const SerialScope&) = delete;
+    SerialScope& operator=(const SerialScope&) = delete;
+};
+
 namespace Internal {
 using RangeFunction = void (*)(void* context, Offset begin, Offset end);
 void ParallelForRanges(Offset n, Offset grain, RangeFunction function, void* context);

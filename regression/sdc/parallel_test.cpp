@@ -2,6 +2,7 @@
 // Parallel loops cover every index once and pass exceptions on; running sums are right for any length.
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,17 @@ TEST(ParallelForTest, RethrowsTheExceptionOfABody) {
         }
     };
     EXPECT_THROW(Sdc::ParallelFor(10000, 10, thrower), std::runtime_error);
+}
+
+TEST(SerialScopeTest, KeepsLoopsInTheThreadThatStartsThem) {
+    const auto own = std::this_thread::get_id();
+    const Sdc::SerialScope serial;
+    Offset n_visited = 0;
+    Sdc::ParallelFor(100000, 1, [&](Offset begin, Offset end) {
+        EXPECT_EQ(std::this_thread::get_id(), own);
+        n_visited += end - begin;
+    });
+    EXPECT_EQ(n_visited, 100000);
 }
 
 TEST(ThreadLimitTest, HoldsWhileItLives) {

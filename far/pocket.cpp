@@ -19,11 +19,11 @@ Reach Reach::Of(const Sdc::Scheme& scheme, Elements elements) {
             }
             // Chaikin's means of sharpness are taken at both ends.
             const bool is_chaikin = CreaseOptionsOf(s).method == Sdc::CreasingMethod::Chaikin;
-            bool b_edges_only = false;
+            Reach reach{.n_rings = is_chaikin ? 1 : 0, .edges_need_both_ends = is_chaikin};
             if constexpr (std::is_same_v<S, Sdc::BoxSpline>) {
-                b_edges_only = elements == Elements::Cells && s.diagonals == Sdc::Diagonals::Directional;
+                reach.b_edges_only = elements == Elements::Cells && s.diagonals == Sdc::Diagonals::Directional;
             }
-            return {.n_rings = is_chaikin ? 1 : 0, .b_edges_only = b_edges_only, .edges_need_both_ends = is_chaikin};
+            return reach;
         },
         scheme);
 }

@@ -58,20 +58,20 @@ void ExpectLawsOfRows(const Far::TopologyRefiner& refiner, const Sdc::Scheme& sc
 TEST(LimitRows, Rows_SumToOneAndDerivativesAreDifferences) {
     for (const auto& [name, shape] : TestShapes::AllShapes()) {
         const auto refiner = Refined(shape, 0, true);
-        Sdc::ForEachScheme([&](const auto& scheme) {
+        Sdc::ForEachScheme([&, label = std::string(name)](const auto& scheme) {
             using S = std::remove_cvref_t<decltype(scheme)>;
             if (!Sdc::Takes<S>(Sdc::Split::TetOct) || (!S::kSolids && refiner.n_cells(0) > 0)) return;
-            SCOPED_TRACE(std::string(name) + ", " + std::string(S::kName));
+            SCOPED_TRACE(label + ", " + std::string(S::kName));
             if (S::kSolids) ExpectLawsOfRows(refiner, scheme, Elements::Cells);
             ExpectLawsOfRows(refiner, scheme, Elements::BoundaryFaces);
         });
     }
     for (const auto& [name, shape] : TestShapes::PolyhedralShapes()) {
         const auto refiner = Far::TopologyRefiner::Create(Describe(shape), Sdc::Split::Polyhedral);
-        Sdc::ForEachScheme([&](const auto& scheme) {
+        Sdc::ForEachScheme([&, label = std::string(name)](const auto& scheme) {
             using S = std::remove_cvref_t<decltype(scheme)>;
             if (!Sdc::Takes<S>(Sdc::Split::Polyhedral) || (!S::kSolids && refiner.n_cells(0) > 0)) return;
-            SCOPED_TRACE(name + ", " + std::string(S::kName));
+            SCOPED_TRACE(label + ", " + std::string(S::kName));
             if (S::kSolids) ExpectLawsOfRows(refiner, scheme, Elements::Cells);
             ExpectLawsOfRows(refiner, scheme, Elements::BoundaryFaces);
         });

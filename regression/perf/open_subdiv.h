@@ -44,6 +44,20 @@ class OpenSubdivSurface {
     std::unique_ptr<State> state_;
 };
 
+/// OpenSubdiv's limit stencils, with derivatives, at places on quadrilaterals; adaptive refinement included.
+class OpenSubdivLimits {
+  public:
+    OpenSubdivLimits(std::span<const Index> quads, Index n_vertices);
+    ~OpenSubdivLimits();
+
+    void AddPlace(Index face, double u, double v);
+    void Make();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
 /// Compressed rows as OpenSubdiv's evaluator takes them.
 struct OpenSubdivRows {
     std::vector<int> sizes, offsets;

@@ -28,6 +28,7 @@ Race RacePipelinesKept(const RaceSettings& settings);
 Race RaceInterpolatory(const RaceSettings& settings);
 Race RaceEvaluation(const RaceSettings& settings);
 Race RaceLocation(const RaceSettings& settings);
+Race RaceLimits(const RaceSettings& settings);
 
 struct RaceEntry {
     const char* name;
@@ -48,6 +49,7 @@ inline constexpr RaceEntry kRaces[] = {
     {"interpolatory", &RaceInterpolatory},
     {"evaluation", &RaceEvaluation},
     {"location", &RaceLocation},
+    {"limits", &RaceLimits},
 };
 
 }  // namespace SolidSubdiv::Perf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A place in a complex: an element of a level, and where in it. What a scheme makes of it is its point. Splits halve
-// coordinates, so a place of one level is a place of later ones (among cells that stay other than hexahedra: of the next).
+// coordinates, so a place of one level is a place of later ones (among cells that stay other than hexahedra: of the
+// next).
 //
 //     const Far::Place middle{.element = 7, .at = {.25, .25, .25}};
 //     const auto rows = Far::MakePlaceRows(refiner, 2, {&middle, 1});  // weights of the vertices of level 2

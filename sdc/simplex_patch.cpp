@@ -200,7 +200,7 @@ SimplexPatch::SimplexPatch(int dimension) : dimension_(dimension) {
             for (int z = -kReach; z <= kReach; ++z) add_if_seen({x, y, z});
         }
     }
-    assert(n_points() == (dimension == 3 ? 32 : 12));
+    assert(n_points() == (dimension == 3 ? 32 : 12));  // and so a multiple of four
 
     Net net{degree, {}};
     for (const Point& node : nodes) {
@@ -235,7 +235,10 @@ SimplexPatch::Net SimplexPatch::Derivative(const Net& net, int axis) const {
     return derivative;
 }
 
-void SimplexPatch::Add(const Net& net, const std::array<double, 4>& barycentric, double* weights) const {
+namespace {
+
+/// Bernstein polynomials of a degree, in the order of ExponentsOf; returns how many.
+std::size_t FillBernstein(int degree, int dimension, const std::array<double, 4>& barycentric, double* values) {
     // Powers of the coordinates over factorials, to multiply.
     std::array<std::array<double, 6>, 4> powers;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -243,22 +246,36 @@ void SimplexPatch::Add(const Net& net, const std::array<double, 4>& barycentric,
         for (std::size_t k = 1; k < 6; ++k) powers[i][k] = powers[i][k - 1] * barycentric[i] / static_cast<double>(k);
     }
     constexpr std::array<double, 6> kFactorials{1, 1, 2, 6, 24, 120};
-    const int degree = net.degree;
-    const std::size_t m = points_.size();
-    const double* row = net.coefficients.data();
-    const auto add = [&](int i, int j, int k, int l) {
-        const double b = kFactorials[degree] * powers[0][i] * powers[1][j] * powers[2][k] * powers[3][l];
-        for (std::size_t p = 0; p < m; ++p) weights[p] += b * row[p];
-        row += m;
-    };
+    std::size_t n = 0;
     for (int i = degree; i >= 0; --i) {
         for (int j = degree - i; j >= 0; --j) {
-            if (dimension_ == 2) {
-                add(i, j, degree - i - j, 0);
+            const double first_two = kFactorials[degree] * powers[0][i] * powers[1][j];
+            if (dimension == 2) {
+                values[n++] = first_two * powers[2][degree - i - j];
                 continue;
             }
-            for (int k = degree - i - j; k >= 0; --k) add(i, j, k, degree - i - j - k);
+            for (int k = degree - i - j; k >= 0; --k) {
+                values[n++] = first_two * powers[2][k] * powers[3][degree - i - j - k];
+            }
         }
+    }
+    return n;
+}
+
+}  // namespace
+
+void SimplexPatch::Fill(const Net& net, const std::array<double, 4>& barycentric, double* weights) const {
+    std::array<double, 56> bernstein;
+    const std::size_t n = FillBernstein(net.degree, dimension_, barycentric, bernstein.data()), m = points_.size();
+    // Sums of a few points at a time stay in registers.
+    constexpr std::size_t kBlock = 4;
+    for (std::size_t p = 0; p < m; p += kBlock) {
+        std::array<double, kBlock> sums{};
+        const double* row = net.coefficients.data() + p;
+        for (std::size_t i = 0; i < n; ++i, row += m) {
+            for (std::size_t k = 0; k < kBlock; ++k) sums[k] += bernstein[i] * row[k];
+        }
+        std::copy(sums.begin(), sums.end(), weights + p);
     }
 }
 
@@ -266,8 +283,7 @@ void SimplexPatch::Evaluate(const std::array<double, 3>& at, int order, double* 
     const std::array<double, 4> barycentric{1 - at[0] - at[1] - (dimension_ == 3 ? at[2] : 0.0), at[0], at[1],
                                             dimension_ == 3 ? at[2] : 0.0};
     const std::size_t n_nets = static_cast<std::size_t>(1 + NDerivatives(dimension_, order)), m = points_.size();
-    std::fill(weights, weights + n_nets * m, 0.0);
-    for (std::size_t i = 0; i < n_nets; ++i) Add(nets_[i], barycentric, weights + i * m);
+    for (std::size_t i = 0; i < n_nets; ++i) Fill(nets_[i], barycentric, weights + i * m);
 }
 
 const SimplexPatch& QuinticTet() {

@@ -47,7 +47,7 @@ class SimplexPatch {
         std::vector<double> coefficients;
     };
     Net Derivative(const Net& net, int axis) const;
-    void Add(const Net& net, const std::array<double, 4>& barycentric, double* weights) const;
+    void Fill(const Net& net, const std::array<double, 4>& barycentric, double* weights) const;
 
     int dimension_;
     std::vector<Point> corners_, points_;

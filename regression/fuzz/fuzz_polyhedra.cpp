@@ -4,14 +4,12 @@
 // A complex is refused with InvalidInput, or refines, cell by cell consistent, with rows that sum to one under every
 // scheme that takes its kind.
 #include <algorithm>
-#include <array>
-#include <vector>
 
 #include <solidsubdiv/far/creases.h>
 #include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/far/stencil_table.h>
 
-#include "bytes.h"
+#include "complexes.h"
 
 using namespace SolidSubdiv;
 using Fuzz::Require;
@@ -39,73 +37,14 @@ void CheckLevel(const Vtr::PolyhedralLevel& level) {
     }
 }
 
-/// Elements as bytes name them: of a kind with as many vertices as it has, polyhedra and polygons with their sizes.
-struct Elements {
-    std::vector<Index> tets, octs, hexes, wedges, pyramids, triangles, quads, edges, polyhedron_vertices,
-        polygon_vertices, creases, corners;
-    std::vector<Offset> polyhedron_offsets{0}, face_offsets{0}, polygon_offsets{0};
-    std::vector<float> crease_sharpness, corner_sharpness;
-
-    Elements(Fuzz::Bytes& bytes, Index n_vertices) {
-        struct Kind {
-            std::vector<Index>* vertices;
-            int arity;
-        };
-        const std::array<Kind, 8> kinds{{{&hexes, 8},
-                                         {&wedges, 6},
-                                         {&pyramids, 5},
-                                         {&tets, 4},
-                                         {&octs, 6},
-                                         {&quads, 4},
-                                         {&triangles, 3},
-                                         {&edges, 2}}};
-        const auto add = [&](std::vector<Index>& vertices, int n) {
-            for (int k = 0; k < n; ++k) vertices.push_back(bytes.NextVertex(n_vertices));
-        };
-        for (int n = 0; n < 60 && !bytes.empty(); ++n) {
-            const int what = bytes.Next();
-            if (what >= 248) {
-                add(corners, 1);
-                corner_sharpness.push_back(bytes.NextSharpness());
-            } else if (what >= 240) {
-                add(creases, 2);
-                crease_sharpness.push_back(bytes.NextSharpness());
-            } else if (what >= 224) {
-                add(polygon_vertices, bytes.Next() % 8);
-                polygon_offsets.push_back(static_cast<Offset>(polygon_vertices.size()));
-            } else if (what >= 200) {
-                for (int faces = bytes.Next() % 9; faces > 0; --faces) {
-                    add(polyhedron_vertices, bytes.Next() % 7);
-                    face_offsets.push_back(static_cast<Offset>(polyhedron_vertices.size()));
-                }
-                polyhedron_offsets.push_back(static_cast<Offset>(face_offsets.size()) - 1);
-            } else {
-                const Kind& kind = kinds[static_cast<std::size_t>(what) % kinds.size()];
-                add(*kind.vertices, kind.arity);
-            }
-        }
-    }
-    Far::TopologyDescriptor Descriptor(Index n_vertices) const {
-        Far::TopologyDescriptor d{.n_vertices = n_vertices};
-        d.tets = tets, d.octs = octs, d.hexes = hexes, d.wedges = wedges, d.pyramids = pyramids;
-        d.polyhedron_offsets = polyhedron_offsets, d.polyhedron_face_offsets = face_offsets;
-        d.polyhedron_vertices = polyhedron_vertices;
-        d.triangles = triangles, d.quads = quads, d.edges = edges;
-        d.polygon_offsets = polygon_offsets, d.polygon_vertices = polygon_vertices;
-        d.crease_edges = creases, d.crease_sharpness = crease_sharpness;
-        d.corner_vertices = corners, d.corner_sharpness = corner_sharpness;
-        return d;
-    }
-};
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Fuzz::Bytes bytes(data, size);
     const Index n_vertices = bytes.Next() % 28;
     const int levels = 1 + bytes.Next() % 2;
-    const Elements elements(bytes, n_vertices);
-    const Far::TopologyDescriptor descriptor = elements.Descriptor(n_vertices);
+    const Fuzz::PolyhedralComplex elements(bytes, n_vertices);
+    const Far::TopologyDescriptor descriptor = elements.Descriptor();
     // Meshes of tets, octs, triangles and edges alone are validated by the other split's rules.
     const bool is_mixed = !elements.hexes.empty() || !elements.quads.empty() || elements.polygon_offsets.size() > 1;
     const auto defects = Far::Validate(descriptor);

@@ -79,6 +79,7 @@ void Interpolatory::SetOption(std::string_view name, std::string_view value) {
     if (name == kOptions[0].name) return SetNumber(kName, kOptions[0], value, tension);
     if (name == kOptions[1].name) return SetChoice(kName, kOptions[1], value, boundary);
     if (name == kOptions[2].name) return SetChoice(kName, kOptions[2], value, features);
+    if (name == kOptions[3].name) return SetChoice(kName, kOptions[3], value, two_neighbors);
     UnknownOption(kName, name);
 }
 void Interpolatory::Validate() const { RequireTension(kName, kOptions[0], tension); }

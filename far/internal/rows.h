@@ -162,8 +162,8 @@ class Rows {
             const auto v = level_.OctVertices(o);
             std::copy(v.begin(), v.end(), indices);
             scratch.MakeNotes(level_.n_vertices);
-            return FillTwoNeighbors(scheme_, indices, weights, kOctLength, scratch,
-                                    [&](auto&& add) { return two_neighbors_.VisitMajorDiagonal(o, add); });
+            return FillTwo(indices, weights, kOctLength, scratch,
+                           [&](auto&& add) { return two_neighbors_.VisitMajorDiagonal(o, add); });
         }
         return 0;
     }
@@ -211,6 +211,14 @@ class Rows {
         }
     };
 
+    template <class Real, class Visit>
+    int FillTwo(Index* indices, Real* weights, int n, RowScratch& scratch, Visit&& visit) const {
+        if (scheme_.two_neighbors == Sdc::TwoNeighborCount::ByFaces) {
+            return FillTwoNeighborsByFaces(scheme_, indices, weights, n, scratch, visit);
+        }
+        return FillTwoNeighbors(scheme_, indices, weights, n, scratch, visit);
+    }
+
     template <class Real>
     int FillTwoNeighborEdge(Index e, Index* indices, Real* weights, RowScratch& scratch) const {
         const auto ends = level_.EdgeVertices(e);
@@ -219,8 +227,8 @@ class Rows {
         const auto add = [&](Index v) { indices[n++] = v; };
         narrow_.ForEdgeNeighbors(e, add, add);
         scratch.MakeNotes(level_.n_vertices);
-        return FillTwoNeighbors(scheme_, indices, weights, n, scratch,
-                                [&](auto&& add_two) { return two_neighbors_.VisitEdge(e, add_two); });
+        return FillTwo(indices, weights, n, scratch,
+                       [&](auto&& add_two) { return two_neighbors_.VisitEdge(e, add_two); });
     }
 
     /// Length of a row that must be made to be counted.

@@ -85,23 +85,26 @@ class TwoNeighbors {
     }
     static constexpr std::size_t kMaxOctCount = Sdc::Oct::kFaces;
 
-    /// Calls add for the two-neighbours of an edge of the solid rule, which may repeat; false where some face that they
-    /// would lie across is a boundary face. Inline, so that what add counts stays in registers.
+    /// Calls add(vertex, faces) for the two-neighbours of an edge of the solid rule, which may repeat, each with the
+    /// number of faces of tets that this one lies across (0 for a repetition that is there for nothing else); false
+    /// where some face that they would lie across is a boundary face. Inline, so that what add counts stays in
+    /// registers.
     template <class Add>
     [[gnu::always_inline]] bool VisitEdge(Index e, Add&& add) const {
         for (Offset i = tet_offsets_[e]; i < tet_offsets_[e + 1]; ++i) {
             for (Index v : across_tets_[i]) {
                 if (v == kNoIndex) return false;
-                add(v);
+                add(v, 1);
             }
         }
         const auto octs = level_.edge_octs[e];
         const auto oct_locals = level_.edge_octs.Locals(e);
         for (std::size_t k = 0; k < octs.size(); ++k) {
-            for (Sdc::Local place : kAroundOctEdges[oct_locals[k]]) {
-                const Index v = around_octs_[OctPlace(octs[k]) + place];
+            const auto& faces = kFacesInOct[oct_locals[k] < Sdc::Oct::kDiagonalEdges ? 0 : 1];
+            for (std::size_t i = 0; i < faces.size(); ++i) {
+                const Index v = around_octs_[OctPlace(octs[k]) + kAroundOctEdges[oct_locals[k]][i]];
                 if (v == kNoIndex) return false;
-                add(v);
+                add(v, faces[i]);
             }
         }
         return true;
@@ -113,7 +116,7 @@ class TwoNeighbors {
         for (int i = 0; i < Sdc::Oct::kFaces; ++i) {
             const Index other = around_octs_[OctPlace(o) + i];
             if (other == kNoIndex) return false;
-            add(other);
+            add(other, 1);
         }
         return true;
     }
@@ -141,6 +144,9 @@ class TwoNeighbors {
         }
         return table;
     }();
+
+    /// Faces that these lie across: of edges at the major diagonal, of the others.
+    static constexpr std::array<std::array<int, 3>, 2> kFacesInOct{{{2, 1, 1}, {1, 1, 0}}};
 
     static Offset OctPlace(Index o) { return (Sdc::Oct::kFaces + Sdc::Oct::kVertices) * static_cast<Offset>(o); }
     /// The vertex across face i of the tet at that face, of those that the major diagonal cuts an octahedron into.
@@ -176,7 +182,7 @@ int FillTwoNeighbors(const Scheme& scheme, Index* indices, Real* weights, int n,
     for (int i = 0; i < n; ++i) notes[indices[i]] = 2 * static_cast<std::uint32_t>(i);
     std::uint32_t length = static_cast<std::uint32_t>(n);
     int n_two = 0;
-    const bool is_complete = visit([&](Index v) {
+    const bool is_complete = visit([&](Index v, int) {
         const std::uint32_t note = notes[v];
         if (note / 2 < length && indices[note / 2] == v) {
             n_two += (note & 1) == 0;
@@ -196,6 +202,33 @@ int FillTwoNeighbors(const Scheme& scheme, Index* indices, Real* weights, int n,
     for (int i = 0; i < n; ++i) weights[i] = (i < 2 ? end : one) + ((notes[indices[i]] & 1) != 0 ? two : Real{0});
     std::fill(weights + n, weights + length, two);
     return static_cast<int>(length);
+}
+
+/// The same where two-neighbours count by faces.
+template <class Scheme, class Real, class Visit>
+int FillTwoNeighborsByFaces(const Scheme& scheme, Index* indices, Real* weights, int n, RowScratch& scratch,
+                            Visit&& visit) {
+    std::uint32_t* const notes = scratch.notes.data();
+    const Sdc::TwoNeighborWeights w = scheme.EdgeByFaces(n - 2);
+    std::uint32_t length = static_cast<std::uint32_t>(n);
+    for (int i = 0; i < n; ++i) {
+        notes[indices[i]] = 2 * static_cast<std::uint32_t>(i);
+        weights[i] = static_cast<Real>(i < 2 ? w.end : w.one);
+    }
+    const bool is_complete = visit([&](Index v, int n_faces) {
+        std::uint32_t place = notes[v] / 2;
+        if (place >= length || indices[place] != v) {
+            if (n_faces == 0) return;
+            place = length++;
+            notes[v] = 2 * place;
+            indices[place] = v;
+            weights[place] = 0;
+        }
+        weights[place] += static_cast<Real>(n_faces * w.two);
+    });
+    if (is_complete) return static_cast<int>(length);
+    weights[0] = weights[1] = static_cast<Real>(0.5);
+    return 2;
 }
 
 }  // namespace SolidSubdiv::Far::Internal

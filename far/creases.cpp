@@ -199,9 +199,20 @@ namespace SolidSubdiv::Far {
 
 Creases CreasesAt(const TopologyRefiner& refiner, const Sdc::Scheme& scheme, int level) {
     Sdc::CreaseOptions options = std::visit([](const auto& s) { return Internal::CreaseOptionsOf(s); }, scheme);
-    options.sharp_cells = false;  // a solid's own: they are found again wherever it is refined on
-    const std::vector<Sharpness> levels = Internal::SharpnessOfLevels(refiner, options, level + 1);
-    const Sharpness& sharpness = levels[static_cast<std::size_t>(level)];
+    Sharpness sharpness = Internal::SharpnessOfLevels(refiner, options, level + 1).back();
+    if (options.sharp_cells && !sharpness.empty()) {
+        // A solid's own are found again wherever it is refined on; but the means of Chaikin's method know them.
+        options.sharp_cells = false;
+        const Sharpness given = Internal::SharpnessOfLevels(refiner, options, level + 1).back();
+        const auto take_out = [](Array<float>& all, const Array<float>& mine) {
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                const float s = mine.empty() ? 0.0f : mine[i];
+                if (Sdc::IsInfinitelySharp(all[i]) && !Sdc::IsInfinitelySharp(s)) all[i] = s;
+            }
+        };
+        take_out(sharpness.edges, given.edges);
+        take_out(sharpness.vertices, given.vertices);
+    }
     Creases creases;
     const auto add = [&](Index a, Index b, float s) {
         if (!Sdc::IsSharp(s)) return;

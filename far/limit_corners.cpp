@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <solidsubdiv/far/internal/limit_states.h>
 
@@ -24,12 +25,6 @@ double LargestChange(const LimitBlock& a, const LimitBlock& b) {
     }
     return largest;
 }
-double LargestOf(const LimitBlock& block) {
-    double largest = 0;
-    for (double w : block.weights) largest = std::max(largest, std::abs(w));
-    return largest;
-}
-
 /// The child at a corner, its child there, and so on, until one comes again: what leads around from there has the limit
 /// as an eigenvector.
 class CornerFinder {
@@ -121,17 +116,68 @@ class CornerFinder {
         return true;
     }
 
-    /// Where slopes shrink faster or slower than edges do, but all at one rate, their directions remain: tangents.
+    /// However fast slopes shrink, and along u and v each at its own rate, the plane that they span settles if it has a
+    /// limit: in the basis that is the identity at two of the vertices, turned as the slopes are.
     bool FindTangents(CornerLimit& result) {
         LimitBlock slopes = EdgeDifferences();
+        for (int i = 0; i < kStepsToPlane; ++i) {  // until the plane is near, for two vertices that tell it well
+            if (!GoAround(slopes, next_)) return false;
+            std::swap(slopes, next_);
+            Deflate(slopes, 1);
+            if (!Orthonormalize(slopes)) return true;
+        }
+        const auto [v, w] = BestPair(slopes);
+        bool has_plane = true;
         const LimitOutcome outcome = Settle(slopes, [&](LimitBlock& block) {
             Deflate(block, 1);
-            const double size = LargestOf(block);
-            if (size > 0) Deflate(block, 1 / size);
+            has_plane = has_plane && ReduceTo(v, w, block);
         });
         if (outcome == LimitOutcome::Unknown) return false;
-        result.has_tangents = outcome == LimitOutcome::Known && LargestOf(slopes) > 0.5;
+        result.has_tangents = outcome == LimitOutcome::Known && has_plane;
         if (result.has_tangents) SetGradient(slopes, result.tangents);
+        return true;
+    }
+
+    static double MinorOf(const LimitBlock& block, Index v, Index w) {
+        return block.Row(v)[0] * block.Row(w)[1] - block.Row(v)[1] * block.Row(w)[0];
+    }
+    /// The two columns turned into two that are orthogonal, of length 1. False where they are dependent.
+    bool Orthonormalize(LimitBlock& block) const {
+        for (int k = 0; k < 2; ++k) {
+            double along = 0, length = 0;
+            for (Index v = 0; k == 1 && v < state().n_vertices; ++v) along += block.Row(v)[0] * block.Row(v)[1];
+            for (Index v = 0; v < state().n_vertices; ++v) {
+                if (k == 1) block.Row(v)[1] -= along * block.Row(v)[0];
+                length += block.Row(v)[k] * block.Row(v)[k];
+            }
+            if (!(length > 1e-28)) return false;
+            for (Index v = 0; v < state().n_vertices; ++v) block.Row(v)[k] /= std::sqrt(length);
+        }
+        return true;
+    }
+    /// The two vertices at which the columns are most independent.
+    std::pair<Index, Index> BestPair(const LimitBlock& block) const {
+        std::pair<Index, Index> best{0, 0};
+        for (Index v = 0; v < state().n_vertices; ++v) {
+            for (Index w = 0; w < v; ++w) {
+                if (MinorOf(block, v, w) > std::abs(MinorOf(block, best.first, best.second))) best = {v, w};
+                if (-MinorOf(block, v, w) > std::abs(MinorOf(block, best.first, best.second))) best = {w, v};
+            }
+        }
+        return best;
+    }
+    /// Combines the columns so that they are (1, 0) at v and (0, 1) at w; without changing sides, or it would turn the
+    /// normal round: MinorOf(v, w) is positive. False where they are dependent there.
+    bool ReduceTo(Index v, Index w, LimitBlock& block) const {
+        const double minor = MinorOf(block, v, w);
+        if (!(std::abs(minor) > 1e-300)) return false;
+        const double a = block.Row(v)[0], b = block.Row(v)[1], c = block.Row(w)[0], d = block.Row(w)[1];
+        for (Index i = 0; i < state().n_vertices; ++i) {
+            double* row = block.Row(i);
+            const double x = row[0], y = row[1];
+            row[0] = (d * x - c * y) / minor;
+            row[1] = (a * y - b * x) / minor;
+        }
         return true;
     }
 
@@ -173,6 +219,8 @@ class CornerFinder {
         }
         return true;
     }
+
+    static constexpr int kStepsToPlane = 20;
 
     const std::vector<Step> steps_;
     const std::size_t first_, d_;

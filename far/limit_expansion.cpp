@@ -40,7 +40,7 @@ class LimitExpansion {
             for (Index i = 0; i < 8; ++i) children.push_back(4 * parent.n_tets + i);
             for (Index i = 0; i < 6; ++i) children.push_back(child.n_tets + parent.n_tets + i);
         } else {
-            for (Index i = 0; i < 4; ++i) children.push_back(BoundaryFace(child, i));
+            for (Index i = 0; i < 4; ++i) children.push_back(BoundaryFace(child, 4 * RootFace(parent) + i));
         }
         return Follow(parent, child, children);
     }
@@ -69,12 +69,28 @@ class LimitExpansion {
                 children.push_back(cells.ring_offsets[i + 1] - cells.ring_offsets[i] == 3 ? hex++ : other++);
             }
         } else {
-            for (Index i = 0; i < pocket_.n_root_vertices; ++i) children.push_back(BoundaryFace(child, i));
+            Offset first = 0;  // of the root's children: as many as corners of the faces before it
+            for (Index f = 0; f < RootFace(parent); ++f) first += static_cast<Offset>(parent.FaceVertices(f).size());
+            for (Index i = 0; i < pocket_.n_root_vertices; ++i) {
+                children.push_back(BoundaryFace(child, static_cast<Index>(first) + i));
+            }
         }
         return Follow(parent, child, children);
     }
 
-    /// Faces are numbered by their vertices: the root's children come first.
+    /// The root's number among the faces: the one with its vertices, 0, 1, .., and no others.
+    template <class AnyLevel>
+    Index RootFace(const AnyLevel& level) const {
+        for (Index f = 0; f < level.n_faces; ++f) {
+            const auto v = level.FaceVertices(f);
+            if (static_cast<Index>(v.size()) == pocket_.n_root_vertices &&
+                *std::max_element(v.begin(), v.end()) < pocket_.n_root_vertices) {
+                return f;
+            }
+        }
+        assert(false);
+        return 0;
+    }
     template <class AnyLevel>
     static Index BoundaryFace(const AnyLevel& level, Index face) {
         const auto found = std::lower_bound(level.boundary_faces.begin(), level.boundary_faces.end(), face);

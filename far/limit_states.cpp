@@ -117,7 +117,13 @@ void LimitStates::Evaluate(LimitState& start, const Place& place, int order, boo
             block.Reset(n, columns_of(order));
             state.patch->Evaluate(at, order, block);
             result.outcome = LimitOutcome::Known;
-            result.order = order;
+            // Rounding of coordinates grows twofold a step, and that of second derivatives fourfold; what is so near to
+            // an irregular place that nothing is left has no derivatives.
+            constexpr std::size_t kSecondDepth = 13;
+            result.order = std::min(order, scratch.path.size() <= kSecondDepth   ? 2
+                                           : scratch.path.size() <= kSmoothDepth ? 1
+                                                                                 : 0);
+            block.Keep(columns_of(result.order));
             break;
         }
         if (const NearCorners corners = CornersAround(state, at, path, is_part);
@@ -133,7 +139,8 @@ void LimitStates::Evaluate(LimitState& start, const Place& place, int order, boo
             }
             if (result.outcome != LimitOutcome::Known) return;
             if (corners.IsAtOne() || has_derivatives || scratch.path.size() >= kMaxDepth) {
-                result.order = std::min(order, has_derivatives ? 1 : 0);
+                const bool is_precise = scratch.path.size() <= kSmoothDepth;
+                result.order = std::min(order, has_derivatives && is_precise ? 1 : 0);
                 block.Reset(n, columns_of(result.order));
                 for (std::size_t i = 0; i < corners.n; ++i) {
                     if (corners.weights[i] == 0) continue;

@@ -33,8 +33,9 @@ struct LimitPlacesOptions {
     int level = 0;  ///< whose elements the places are in; it must have full topology
     Elements elements = Elements::Cells;
     int order = 0;  ///< of derivatives: 0 none, 1 the first, 2 the second as well (at regular places only)
-    /// At corners of boundary faces that are in no closed form: tangents of the surface along u and v, of any length,
-    /// instead of derivatives, which vanish or grow beyond bounds at extraordinary vertices. For normals.
+    /// At corners of boundary faces that are in no closed form: two tangents of the surface instead of derivatives,
+    /// which vanish or grow beyond bounds at extraordinary vertices. Of any length and direction in the tangent plane,
+    /// but their cross product points where that of the derivatives by u and v does around. For normals.
     bool tangents = false;
     Progress progress{};
 

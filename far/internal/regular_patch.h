@@ -19,6 +19,18 @@ struct LimitBlock {
         n_columns = columns;
         weights.assign(static_cast<std::size_t>(n_vertices) * static_cast<std::size_t>(columns), 0.0);
     }
+    /// Leaves the first columns alone.
+    void Keep(int columns) {
+        if (columns == n_columns) return;
+        const std::size_t n = weights.size() / static_cast<std::size_t>(n_columns);
+        std::vector<double> kept;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double* row = Row(static_cast<Index>(i));
+            kept.insert(kept.end(), row, row + columns);
+        }
+        weights = std::move(kept);
+        n_columns = columns;
+    }
     double* Row(Index vertex) {
         return weights.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(n_columns);
     }

@@ -80,6 +80,13 @@ constexpr std::array kValidators = {
               "share of matched faces that `matched` reaches: 100 % on shuffled blocks of the lattice, 75 % on "
               "models; errors are what lacks",
               0, "the shares are the aims themselves; counts are whole numbers", ValidateDiagonals},
+    Validator{"limit-places",
+              "limit rows at random places of every scheme, in cells and on boundary faces, and their derivatives = "
+              "what refinement alone leads to at level 14, over the shape's size",
+              1e-9,
+              "fits of third order at level 12 (1e-11); where the last levels are less certain, and for derivatives, "
+              "what they say is taken off first",
+              ValidateLimitPlaces},
     Validator{"location",
               "evaluate, locate, compare: random places in level 2 of real lattices, 200,000 each; none is lost, and "
               "located ones have the same points, over the largest coordinate",

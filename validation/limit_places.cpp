@@ -20,9 +20,6 @@ namespace {
 
 constexpr int kLevels = 14;  // fits are of level 12: third powers of sizes of 1e-11, second ones of 1e-7
 
-/// Where there is no closed form slopes are differences over 2^-26: round-off of tens of weights times 2^26.
-constexpr double kSlopeRoundOff = 3e-7;
-
 double Distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// How far the last estimate may be off, by the changes of the last levels; infinite where they do not say. Errors fall
@@ -106,9 +103,9 @@ std::string LimitTally::Text() const {
 }
 
 LimitRows MakeLimitRows(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
-                        std::span<const Far::Place> places, Far::Elements elements) {
-    const auto table = Far::LimitStencilTable::Create(refiner, scheme, places, {.elements = elements, .order = 2});
-    LimitRows result{table.rows(), {}, std::vector<int>(places.size(), 2)};
+                        std::span<const Far::Place> places, const Far::LimitPlacesOptions& options) {
+    const auto table = Far::LimitStencilTable::Create(refiner, scheme, places, options);
+    LimitRows result{table.rows(), {}, std::vector<int>(places.size(), options.order)};
     for (int k = 0; k < table.n_derivatives(); ++k) result.derivatives.push_back(table.DerivativeRows(k));
     for (const Far::Defect& defect : table.defects()) {
         result.orders[static_cast<std::size_t>(defect.element)] =
@@ -230,7 +227,7 @@ Findings ValidateLimitPlaces(const Context&) {
             if (places.empty()) return;
             const auto walks = WalkToPlaces(shape.mesh, shape.split, shape.schemes, shape.positions, places, elements);
             for (std::size_t s = 0; s < shape.schemes.size(); ++s) {
-                LimitRows rows = MakeLimitRows(refiner, shape.schemes[s], places, elements);
+                LimitRows rows = MakeLimitRows(refiner, shape.schemes[s], places, {.elements = elements, .order = 2});
                 if (where == WhereInElements::OnSides) {
                     for (int& order : rows.orders) order = std::min(order, 0);
                 }

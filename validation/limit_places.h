@@ -19,9 +19,9 @@ struct LimitRows {
     std::vector<int> orders;  ///< of each row: derivatives up to which are there; -1: no limit
 };
 
-/// With all derivatives that there are.
+/// By the library.
 LimitRows MakeLimitRows(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
-                        std::span<const Far::Place> places, Far::Elements elements);
+                        std::span<const Far::Place> places, const Far::LimitPlacesOptions& options);
 
 enum class WhereInElements { Inside, OnSides };  ///< on faces, edges and corners, or inside after all
 
@@ -45,6 +45,9 @@ std::vector<std::vector<std::vector<LimitEstimate>>> WalkToPlaces(const OwnedMes
                                                                   const std::vector<double>& positions,
                                                                   std::span<const Far::Place> places,
                                                                   Far::Elements elements);
+
+/// Where there is no closed form slopes are differences over 2^-26: round-off of tens of weights times 2^26.
+inline constexpr double kSlopeRoundOff = 3e-7;
 
 /// Errors over the shape's size, in whole where the walk is certain to kLimitCertainty, otherwise less how far it may
 /// be off by what its last levels did; and sums of weights.

@@ -87,6 +87,15 @@ constexpr std::array kValidators = {
               "fits of third order at level 12 (1e-11); where the last levels are less certain, and for derivatives, "
               "what they say is taken off first",
               ValidateLimitPlaces},
+    Validator{
+        "limit-surfaces",
+        "limits of Loop and Catmull-Clark surfaces and of boundaries of solids with them, plain, with creases and "
+        "corners = OpenSubdiv's: points at random places and their derivatives where its patches are exact, "
+        "points and normals at vertices, over the shape's size",
+        1e-9,
+        "second derivatives near borders are those of up to ten levels further on, whose round-off (1e-15) has "
+        "grown by 4 a level; what first ones have where there is no closed form (3e-7) is taken off first",
+        ValidateLimitSurfaces},
     Validator{"location",
               "evaluate, locate, compare: random places in level 2 of real lattices, 200,000 each; none is lost, and "
               "located ones have the same points, over the largest coordinate",

@@ -68,6 +68,7 @@ Findings ValidateCellQuality(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
 Findings ValidateLimitPlaces(const Context& context);
+Findings ValidateLimitSurfaces(const Context& context);
 Findings ValidateLocation(const Context& context);
 Findings ValidateSpectra(const Context& context);
 Findings ValidateVtkReader(const Context& context);

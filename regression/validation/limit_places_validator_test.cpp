@@ -27,10 +27,10 @@ class WalkedPlaces {
             WalkToPlaces(shape_.mesh, shape_.split, {shape_.schemes[0]}, shape_.positions, places_, elements).at(0);
     }
     LimitRows Rows(std::size_t scheme = 0) const {
-        return MakeLimitRows(*refiner_, shape_.schemes[scheme], places_, elements_);
+        return MakeLimitRows(*refiner_, shape_.schemes[scheme], places_, {.elements = elements_, .order = 2});
     }
     LimitRows RowsOf(const std::vector<Far::Place>& places) const {
-        return MakeLimitRows(*refiner_, shape_.schemes[0], places, elements_);
+        return MakeLimitRows(*refiner_, shape_.schemes[0], places, {.elements = elements_, .order = 2});
     }
     bool Passes(const LimitRows& rows, LimitTally* tally = nullptr) const {
         Findings findings;

@@ -25,6 +25,12 @@ double LargestChange(const LimitBlock& a, const LimitBlock& b) {
     }
     return largest;
 }
+double LargestOf(const LimitBlock& block) {
+    double largest = 0;
+    for (double w : block.weights) largest = std::max(largest, std::abs(w));
+    return largest;
+}
+
 /// The child at a corner, its child there, and so on, until one comes again: what leads around from there has the limit
 /// as an eigenvector.
 class CornerFinder {
@@ -76,7 +82,8 @@ class CornerFinder {
             after(next_);
             const double change = LargestChange(block, next_);
             std::swap(block, next_);
-            if (change == 0 || (change < 1e-14 && change >= before)) return LimitOutcome::Known;
+            const double round_off = 1e-14 * std::max(1.0, LargestOf(block));
+            if (change < 1e-6 * round_off || (change < round_off && change >= before)) return LimitOutcome::Known;
             if (!(change < 1e6)) return LimitOutcome::None;
             before = change;
         }

@@ -136,6 +136,18 @@ TEST(LimitPlaces, FadingCreases_LeadToTheLimitsOfLaterLevels) {
     check(TestShapes::HexBlock(2), Sdc::Split::Polyhedral, {Sdc::CatmullClarkSolid{}, Sdc::Mlca{}});
 }
 
+// A quadrilateral and two triangles that share two edges with it: vertices of two faces.
+TEST(LimitPlaces, FacesThatShareTwoEdges_AreToldApart) {
+    const std::vector<Offset> offsets{0, 4, 7, 10};
+    const std::vector<Index> vertices{0, 1, 2, 3, 0, 3, 2, 0, 2, 1};
+    Far::TopologyDescriptor mesh{.n_vertices = 4};
+    mesh.polygon_offsets = offsets;
+    mesh.polygon_vertices = vertices;
+    auto refiner = Far::TopologyRefiner::Create(mesh, Sdc::Split::Polyhedral);
+    refiner.RefineUniform({.max_level = 3, .full_topology_in_last_level = true});
+    ExpectLimitsOfVertices(refiner, Sdc::CatmullClark{}, Elements::BoundaryFaces, 3);
+}
+
 // Of the laws above: a weight off by 1e-6 is seen.
 TEST(LimitPlaces, APlantedFaultInAStencil_IsSeenAtPlaces) {
     const auto refiner = Refined(TestShapes::KuhnBlock(2), 1, true);

@@ -151,5 +151,84 @@ TEST(LimitRows, MissingDerivatives_AreDefects) {
     EXPECT_THROW(LimitStencilTable::Create(refiner, Sdc::BoxSpline{}, places, {}), InvalidInput);
 }
 
+// Where a place never becomes regular its derivatives settle or are not there: they are never what rounding left.
+TEST(LimitRows, DerivativesOnSidesOfElements_SumToZeroOrAreDefects) {
+    for (const auto& [name, shape] : TestShapes::AllShapes()) {
+        const auto refiner = Refined(shape, 0, true);
+        std::vector<Place> places = RandomPlaces(refiner, Elements::Cells, 12);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            places[i].at[i % 3] = 0;
+            if (i % 2 == 0) places[i].at[(i + 1) % 3] = 0;
+        }
+        Sdc::ForEachScheme([&, label = std::string(name)](const auto& scheme) {
+            using S = std::remove_cvref_t<decltype(scheme)>;
+            if (!Sdc::Takes<S>(Sdc::Split::TetOct) || !S::kSolids || places.empty()) return;
+            SCOPED_TRACE(label + ", " + std::string(S::kName));
+            const auto table = LimitStencilTable::Create(refiner, scheme, places, {.order = 2});
+            for (int k = 0; k < table.n_derivatives(); ++k) {
+                const auto rows = table.DerivativeRows(k);
+                for (Index i = 0; i < rows.n_rows(); ++i) {
+                    double sum = 0;
+                    for (double w : rows.Weights(i)) sum += w;
+                    // First: round-off of tens of weights times 2^26; second: times 4^13.
+                    EXPECT_NEAR(sum, 0, 3e-7) << "place " << i << " derivative " << k;
+                }
+            }
+        });
+    }
+}
+
+// At a border vertex slopes along the border and across it shrink at rates of their own; the plane that they span is
+// the surface's all the same, or is listed as missing (where the second and the third rate are all but equal).
+TEST(LimitRows, TangentsAtBorders_SpanTheTangentPlane) {
+    using Normal = std::optional<std::array<double, 3>>;
+    const auto normal_at = [](const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme, const Place& place,
+                              const std::vector<double>& positions) -> Normal {
+        const auto table = LimitStencilTable::Create(
+            refiner, scheme, {&place, 1}, {.elements = Elements::BoundaryFaces, .order = 1, .tangents = true});
+        if (!table.defects().empty()) return std::nullopt;
+        const auto u = PointOf(table.DerivativeRows(0), 0, positions),
+                   v = PointOf(table.DerivativeRows(1), 0, positions);
+        std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        const double length = std::hypot(n[0], n[1], n[2]);
+        for (double& x : n) x /= length;
+        return n;
+    };
+    int n_corners = 0, n_missing = 0;
+    for (Index k : {2, 3, 4, 5}) {  // faces around a border vertex
+        SCOPED_TRACE(k);
+        std::vector<double> positions{0, 0, 0};
+        std::vector<Index> triangles, quads;
+        for (Index i = 0; i <= 2 * k; ++i) {
+            const double angle = 3.0 * i / (2 * k);
+            positions.insert(positions.end(), {std::cos(angle), std::sin(angle), 0.3 * std::cos(2 * angle)});
+        }
+        for (Index i = 0; i < k; ++i) {
+            triangles.insert(triangles.end(), {0, 1 + 2 * i, 3 + 2 * i});
+            quads.insert(quads.end(), {0, 1 + 2 * i, 2 + 2 * i, 3 + 2 * i});
+        }
+        Far::TopologyDescriptor fan{.n_vertices = 2 * k + 2};
+        const auto check = [&](const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme) {
+            for (Index f = 0; f < k; ++f) {
+                // Listed from the vertex in the middle, as given: its corner has the coordinates 0.
+                const Normal corner = normal_at(refiner, scheme, {.element = f}, positions);
+                const Normal near = normal_at(refiner, scheme, {f, 0, {1e-7, 1e-7, 0}}, positions);
+                ++n_corners;
+                n_missing += !corner;
+                ASSERT_TRUE(near);
+                // Normals turn slowly where rates are near each other.
+                const double turned = corner ? Distance(*corner, *near) : 0.0;
+                EXPECT_LT(turned, 2e-2) << "face " << f;
+            }
+        };
+        fan.triangles = triangles;
+        check(Far::TopologyRefiner::Create(fan, Sdc::Split::TetOct), Sdc::Loop{});
+        fan.triangles = {};
+        fan.quads = quads;
+        check(Far::TopologyRefiner::Create(fan, Sdc::Split::Polyhedral), Sdc::CatmullClark{});
+    }
+    EXPECT_LE(n_missing, n_corners / 10);
+}
+
 }  // namespace
 }  // namespace SolidSubdiv::TestFar

@@ -159,9 +159,12 @@ class RefineCommand {
             refinement.result_creases().edges.size() + refinement.result_creases().vertices.size() > 0) {
             session_.Note(options_.output + ": the format can't carry what is still sharp, left out");
         }
-        if (refinement.n_without_limit() > 0) {
-            session_.Note(options_.input + ": " + Counted(refinement.n_without_limit(), "vertex", "vertices") +
-                          " without a limit left in place");
+        if (!refinement.without_limit().empty()) {
+            session_.Note(options_.input + ": " +
+                          Counted(static_cast<Offset>(refinement.without_limit().size()), "vertex", "vertices") +
+                          " of level " + std::to_string(refinement.refiner().max_level()) +
+                          " without a limit left in place, the first: vertex " +
+                          std::to_string(refinement.without_limit().front()));
         }
         for (const Json& code : DescribeDefects(refinement.refiner().defects(), 100, 1)) {
             const std::string name = code["code"].get<std::string>();

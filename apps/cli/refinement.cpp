@@ -10,8 +10,8 @@
 #include <solidsubdiv/apps/cli/diagonal_data.h>
 #include <solidsubdiv/apps/cli/refined_mesh.h>
 #include <solidsubdiv/apps/cli/refined_polyhedra.h>
-#include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/kit/geometry/compact_surface.h>
+#include <solidsubdiv/kit/geometry/limits_of_vertices.h>
 #include <solidsubdiv/kit/io/holes.h>
 #include <solidsubdiv/osd/evaluator.h>
 
@@ -202,16 +202,14 @@ void Refinement::KeepLevel(int level) {
 
 void Refinement::ApplyLimit() {
     session_.Stage("limit");
-    const auto limit = Far::LimitStencilTable::Create(*refiner_, settings_.choice.scheme);
-    n_without_limit_ = static_cast<Offset>(limit.without_limit().size());
-    const auto table = Far::StencilTable::FromRows(limit.rows().n_sources, {limit.rows()});
+    Geometry::VertexLimits limits = Geometry::LimitsOfVertices(*refiner_, settings_.choice.scheme, settings_.levels);
+    without_limit_ = std::move(limits.without_limit);
+    const Index n = limits.rows.n_sources;
+    const auto table = Far::StencilTable::FromRows(n, {std::move(limits.rows)});
     Osd::Evaluator evaluator(table, Osd::Backend::Best());
     const auto push = [&](std::vector<double>& values, int width) {
         std::vector<double> pushed(values.size());
         evaluator.Evaluate(values, pushed, width);
-        for (Index v : limit.without_limit()) {  // stays where it is
-            std::copy_n(values.begin() + Offset{width} * v, width, pushed.begin() + Offset{width} * v);
-        }
         values = std::move(pushed);
     };
     push(result_.positions, 3);

@@ -42,7 +42,8 @@ class Refinement {
     Offset n_tags() const { return n_tags_; }
     const Io::Creases& creases() const { return creases_; }                 ///< of the input
     const Far::Creases& result_creases() const { return result_creases_; }  ///< what is still sharp
-    Offset n_without_limit() const { return n_without_limit_; }
+    /// Vertices of the last level that the scheme gives no limit: they stay.
+    const std::vector<Index>& without_limit() const { return without_limit_; }
 
     /// Faces of the control mesh whose children the result lacks: holes, and those at a border that is dropped.
     Offset n_faces_left_out() const { return n_faces_left_out_; }
@@ -85,7 +86,7 @@ class Refinement {
     std::vector<Io::Mesh> earlier_;
     Offset stencil_bytes_ = 0;
     Offset n_tags_ = 0;
-    Offset n_without_limit_ = 0;
+    std::vector<Index> without_limit_;
 };
 
 }  // namespace SolidSubdiv::Cli

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <solidsubdiv/far/limit_stencil_table.h>
+#include <solidsubdiv/kit/geometry/limits_of_vertices.h>
 
 namespace SolidSubdiv::Geometry {
 
@@ -51,26 +51,6 @@ void CutPolyhedron(const Vtr::Polyhedra& cells, Index cell, std::vector<Index>& 
     for (Offset f = first; f < last; ++f) fan.Add(face(f));
 }
 
-/// Rows of the limit; a vertex that has none gets itself.
-Far::StencilRows<double> RowsWithoutGaps(const Far::LimitStencilTable& limit) {
-    if (limit.without_limit().empty()) return limit.rows();
-    Far::StencilRows<double> rows;
-    rows.n_sources = limit.rows().n_sources;
-    for (Index v = 0; v < limit.rows().n_rows(); ++v) {
-        const auto indices = limit.rows().Indices(v);
-        const auto weights = limit.rows().Weights(v);
-        if (std::binary_search(limit.without_limit().begin(), limit.without_limit().end(), v)) {
-            rows.indices.push_back(v);
-            rows.weights.push_back(1);
-        } else {
-            rows.indices.insert(rows.indices.end(), indices.begin(), indices.end());
-            rows.weights.insert(rows.weights.end(), weights.begin(), weights.end());
-        }
-        rows.offsets.push_back(static_cast<Offset>(rows.indices.size()));
-    }
-    return rows;
-}
-
 }  // namespace
 
 std::vector<Index> CutIntoTets(const Far::TopologyRefiner& refiner, int level) {
@@ -102,13 +82,13 @@ InnerTessellation TessellateInside(const Far::TopologyRefiner& refiner, const Sd
         throw InvalidInput("there is no level " + std::to_string(level) + "; the last is " +
                            std::to_string(refiner.max_level()));
     }
-    const auto limit = Far::LimitStencilTable::Create(refiner, scheme, {.level = level});
+    VertexLimits limits = LimitsOfVertices(refiner, scheme, level);
     const auto cascade = Far::StencilTable::Create(refiner, scheme, {.max_level = level, .progress = progress});
     std::vector<Far::StencilRows<double>> steps;
     for (int l = 1; l <= level; ++l) steps.push_back(cascade.level(l));
-    steps.push_back(RowsWithoutGaps(limit));
+    steps.push_back(std::move(limits.rows));
     return {CutIntoTets(refiner, level), Far::StencilTable::FromRows(refiner.n_vertices(0), std::move(steps)),
-            limit.without_limit()};
+            std::move(limits.without_limit)};
 }
 
 }  // namespace SolidSubdiv::Geometry

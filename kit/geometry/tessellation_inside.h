@@ -29,7 +29,7 @@ struct InnerTessellation {
     std::vector<Index> tets;  ///< (n, 4)
     /// From the control vertices through the levels to the limits of the last one's vertices.
     Far::StencilTable table;
-    std::vector<Index> without_limit;  ///< vertices of the level that stay where refinement put them
+    std::vector<Index> without_limit;  ///< vertices of the level that the scheme gives no limit: they stay
 };
 
 /// @throws InvalidInput if the level has no full topology or the scheme can't refine the mesh

@@ -199,23 +199,25 @@ TEST(TessellationInside, TheTableGoesFromControlPointsToLimits) {
     }
 }
 
-TEST(TessellationInside, AVertexWithoutALimitStaysAndIsNamed) {
-    // A crease that is still sharp at level 0 has yet to fade.
-    TestShapes::Shape shape = TestShapes::KuhnBlock(1);
+TEST(TessellationInside, CreasesThatHaveYetToFadeHaveTheLimitsThatTheyFadeTo) {
+    const TestShapes::Shape shape = TestShapes::KuhnBlock(1);
     Far::TopologyDescriptor descriptor = TestFar::Describe(shape);
-    const std::vector<Index> edge = {0, 1};
+    const std::vector<Index> edge = {0, 1}, corner = {7};
     const std::vector<float> sharpness = {1.5f};
     descriptor.crease_edges = edge;
     descriptor.crease_sharpness = sharpness;
+    descriptor.corner_vertices = corner;
+    descriptor.corner_sharpness = sharpness;
     auto refiner = Far::TopologyRefiner::Create(descriptor, Sdc::Split::TetOct);
-    const InnerTessellation inside = TessellateInside(refiner, Sdc::BoxSpline{}, 0);
-    ASSERT_FALSE(inside.without_limit.empty());
-    const auto positions = TestFar::Apply(inside.table, shape.positions);
-    for (Index v : inside.without_limit) {
-        EXPECT_EQ(Length(PointOf(positions, v) - PointOf(shape.positions, v)), 0) << v;
-    }
     refiner.RefineUniform({.max_level = 2, .full_topology_in_last_level = true});
-    EXPECT_TRUE(TessellateInside(refiner, Sdc::BoxSpline{}, 2).without_limit.empty());
+    EXPECT_FALSE(Far::LimitStencilTable::Create(refiner, Sdc::BoxSpline{}, {.level = 0}).without_limit().empty());
+    const InnerTessellation early = TessellateInside(refiner, Sdc::BoxSpline{}, 0);
+    const InnerTessellation late = TessellateInside(refiner, Sdc::BoxSpline{}, 2);
+    EXPECT_TRUE(early.without_limit.empty());
+    EXPECT_TRUE(late.without_limit.empty());
+    auto expected = TestFar::Apply(late.table, shape.positions);
+    expected.resize(shape.positions.size());  // vertices come first among the children
+    TestFar::ExpectNear(TestFar::Apply(early.table, shape.positions), expected, 1e-14);
 }
 
 TEST(TessellationInside, LevelsThatAreNotThereAreRefused) {

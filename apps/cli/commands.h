@@ -21,6 +21,7 @@ using Work = std::function<void(Session&)>;
 /// Adds the sub-command's own options, and the example at the end of its help.
 Work AddInfo(CLI::App& command);
 Work AddRefine(CLI::App& command);
+Work AddSample(CLI::App& command);
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
 Work AddAnalyze(CLI::App& command);
 #endif
@@ -34,6 +35,7 @@ struct Command {
 inline constexpr std::array kCommands = {
     Command{"info", "what is in a file: counts, shape, boundary, regularity, defects, attributes", AddInfo},
     Command{"refine", "refine a solid, a surface or a curve by a subdivision scheme", AddRefine},
+    Command{"sample", "sample the limit: triangles of the boundary, tets of the inside", AddSample},
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
     Command{"analyze", "eigenvalues of a scheme, and what they say about smoothness", AddAnalyze},
 #endif

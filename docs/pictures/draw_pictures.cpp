@@ -15,6 +15,7 @@
 
 #include "catmull_clark_pictures.h"
 #include "quality_pictures.h"
+#include "sampling_pictures.h"
 
 #include <solidsubdiv/far/choose_diagonals.h>
 #include <solidsubdiv/far/primvar_refiner.h>
@@ -221,6 +222,7 @@ int main(int n_arguments, char** arguments) {
         WritePng(out / "catmull_clark_features.png", CatmullClarkFeatures());
         WritePng(out / "mlca.png", SpikeAlongEdge());
         WritePng(out / "quality.png", QualityOfATwistedBar());
+        WritePng(out / "sampling.png", TessellationsOfAFrame());
         WritePng(out / "smooth_tet.png", TetsAroundEdge(5));
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));

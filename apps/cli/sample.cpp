@@ -162,8 +162,9 @@ class SampleCommand {
         text_ = Counted(t.n_vertices(), "vertex", "vertices") + ", " +
                 (t.triangles.empty() ? "" : Counted(mesh.topology.n_triangles(), "triangle", "triangles")) +
                 (t.triangles.empty() || t.quads.empty() ? "" : ", ") +
-                (t.quads.empty() ? "" : Counted(mesh.topology.n_quads(), "quad", "quads")) + "\nthe limit is at most " +
-                Text(error.largest) + " away, at " + Counted(error.n_tests, "test point", "test points");
+                (t.quads.empty() ? "" : Counted(mesh.topology.n_quads(), "quad", "quads")) + "\nat " +
+                Counted(error.n_tests, "test point", "test points") + " the limit is at most " + Text(error.largest) +
+                " away";
         if (options_.tolerance > 0 && error.largest > options_.tolerance) {
             session_.Note(options_.input + ": the tolerance of " + Text(options_.tolerance) +
                           " is not reached: edges were halved as often as they may be");

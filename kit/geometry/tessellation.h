@@ -90,9 +90,9 @@ Tessellation TessellateBoundary(const Far::TopologyRefiner& refiner, const Sdc::
                                 const TessellationOptions& options);
 
 /// By tolerance (or at a rate, where there is none), for control points (n_vertices, 3). What is found to deviate by
-/// more than 0.9 of the tolerance is cut: between test points, a quarter of an edge apart on edges and a fifth inside,
-/// a quadratic deviation can be 1/16 larger than at them. `error` says what was reached: more than the tolerance where
-/// max_halvings did not do.
+/// more than 0.8 of the tolerance is cut: between test points, a quarter of an edge apart on edges and a fifth inside,
+/// deviations of up to 1.14 times those at them were found. `error` says what was reached: more than the tolerance
+/// where max_halvings did not do.
 /// @throws InvalidInput as the other
 Tessellation TessellateBoundary(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                                 std::span<const double> positions, const TessellationOptions& options);

@@ -211,7 +211,7 @@ class Bisection {
         }
     }
 
-    double MostError() const { return 0.9 * options_.tolerance; }
+    double MostError() const { return 0.8 * options_.tolerance; }
     double Distance(const Vec3& p, const Triangle& t) const {
         return DistanceTo(p, Point(t.vertices[0]), Point(t.vertices[1]), Point(t.vertices[2]));
     }

@@ -362,7 +362,7 @@ TessellationError MeasureError(const Far::TopologyRefiner& refiner, const Sdc::S
     }
 
     const std::vector<double> vertices = tessellation.Positions(positions);
-    const std::vector<Vec3> points = Internal::LimitPoints(refiner, scheme, places, positions, progress);
+    const std::vector<Vec3> points = Internal::LimitPoints(refiner, scheme, progress).At(places, positions);
     const auto distance = [&](const Vec3& p, std::size_t triangle) {
         const auto& v = triangles[triangle].vertices;
         return Internal::DistanceTo(p, Internal::PointAt(vertices, v[0]), Internal::PointAt(vertices, v[1]),

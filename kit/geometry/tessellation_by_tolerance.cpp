@@ -45,7 +45,11 @@ class Bisection {
   public:
     Bisection(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme, std::span<const double> positions,
               const TessellationOptions& options, const BoundaryPieces& triangles)
-        : refiner_(refiner), scheme_(scheme), positions_(positions), options_(options), pieces_(triangles.pieces) {
+        : refiner_(refiner),
+          limits_(refiner, scheme, options.progress),
+          positions_(positions),
+          options_(options),
+          pieces_(triangles.pieces) {
         PlaceNodes(triangles.n_nodes);
         for (std::size_t p = 0; p < pieces_.size(); ++p) AddPiece(static_cast<Index>(p));
         for (int halvings = 0;; ++halvings) {
@@ -80,9 +84,7 @@ class Bisection {
         const FacetDomain& domain = pieces_[static_cast<std::size_t>(piece)].domain;
         return {domain.face, domain.part, {at[0], at[1], 0}};
     }
-    std::vector<Vec3> Limits(const std::vector<Far::Place>& places) {
-        return LimitPoints(refiner_, scheme_, places, positions_, options_.progress);
-    }
+    std::vector<Vec3> Limits(const std::vector<Far::Place>& places) { return limits_.At(places, positions_); }
 
     void PlaceNodes(Index n_nodes) {
         points_.resize(static_cast<std::size_t>(n_nodes));
@@ -278,7 +280,7 @@ class Bisection {
     }
 
     const Far::TopologyRefiner& refiner_;
-    const Sdc::Scheme& scheme_;
+    LimitPoints limits_;
     const std::span<const double> positions_;
     const TessellationOptions& options_;
     const std::vector<Facet>& pieces_;

@@ -79,7 +79,7 @@ TEST_F(CliUsage, EveryChoiceThatTheHelpOffersWorks) {
             const std::string name = (*it)[1].str();
             const bool is_surface = (name == "--scheme" && surface_schemes.count(choice) > 0) || name == "--features" ||
                                     name == "--creasing" || name == "--triangles";
-            if (name == "--butterfly") option += " --scheme interpolatory";
+            if (name == "--butterfly" || name == "--two-neighbors") option += " --scheme interpolatory";
             if (name == "--surface") option += " --scheme mlca";
             if (name == "--triangles") option += " --scheme catmull-clark";
             MustRun("refine " + std::string(is_surface ? "surface.obj" : "given.vtu") + " -o out.vtu " + option);

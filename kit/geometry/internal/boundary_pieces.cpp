@@ -50,36 +50,48 @@ BoundaryPieces FindPieces(const Far::TopologyRefiner& refiner, const std::vector
     return found;
 }
 
+namespace {
+
+Far::LimitPlacesOptions OptionsOf(bool tangents, const Progress& progress) {
+    return {.level = 0,
+            .elements = Far::Elements::BoundaryFaces,
+            .order = tangents ? 1 : 0,
+            .tangents = tangents,
+            .progress = progress};
+}
+
+void RequireLimits(const Far::LimitStencilTable& table, std::span<const Far::Place> places, const Sdc::Scheme& scheme) {
+    if (table.without_limit().empty()) return;
+    const Far::Place& place = places[static_cast<std::size_t>(table.without_limit().front())];
+    throw InvalidInput("boundary face " + std::to_string(place.element) + " has no limit at (" +
+                       std::to_string(place.at[0]) + ", " + std::to_string(place.at[1]) +
+                       "): " + std::string(Sdc::NameOf(scheme)) +
+                       " does not converge there; choose other options or another scheme");
+}
+
+}  // namespace
+
 LimitRows MakeLimitRows(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                         std::span<const Far::Place> places, bool tangents, const Progress& progress) {
-    const auto table = Far::LimitStencilTable::Create(refiner, scheme, places,
-                                                      {.level = 0,
-                                                       .elements = Far::Elements::BoundaryFaces,
-                                                       .order = tangents ? 1 : 0,
-                                                       .tangents = tangents,
-                                                       .progress = progress});
-    if (!table.without_limit().empty()) {
-        const Far::Place& place = places[static_cast<std::size_t>(table.without_limit().front())];
-        throw InvalidInput("boundary face " + std::to_string(place.element) + " has no limit at (" +
-                           std::to_string(place.at[0]) + ", " + std::to_string(place.at[1]) +
-                           "): " + std::string(Sdc::NameOf(scheme)) +
-                           " does not converge there; choose other options or another scheme");
-    }
+    const auto table = Far::LimitStencilTable::Create(refiner, scheme, places, OptionsOf(tangents, progress));
+    RequireLimits(table, places, scheme);
     LimitRows made{table.rows(), {}};
     if (tangents) made.tangents = {table.DerivativeRows(0), table.DerivativeRows(1)};
     return made;
 }
 
-std::vector<Vec3> LimitPoints(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
-                              std::span<const Far::Place> places, std::span<const double> positions,
-                              const Progress& progress) {
+LimitPoints::LimitPoints(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme, const Progress& progress)
+    : scheme_(scheme), factory_(refiner, scheme, OptionsOf(false, progress)) {}
+
+std::vector<Vec3> LimitPoints::At(std::span<const Far::Place> places, std::span<const double> positions) {
     constexpr std::size_t kAtATime = std::size_t{1} << 18;  // some 100 MB of rows
     std::vector<Vec3> points;
     points.reserve(places.size());
     for (std::size_t first = 0; first < places.size(); first += kAtATime) {
         const auto some = places.subspan(first, std::min(kAtATime, places.size() - first));
-        const std::vector<double> values =
-            Apply(MakeLimitRows(refiner, scheme, some, false, progress).rows, positions, 3);
+        const Far::LimitStencilTable table = factory_.Create(some);
+        RequireLimits(table, some, scheme_);
+        const std::vector<double> values = Apply(table.rows(), positions, 3);
         for (std::size_t i = 0; i < values.size(); i += 3) points.push_back({values[i], values[i + 1], values[i + 2]});
     }
     return points;

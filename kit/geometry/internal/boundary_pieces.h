@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/far/limit_stencil_table.h>
 #include <solidsubdiv/kit/geometry/internal/vec3.h>
 #include <solidsubdiv/kit/geometry/tessellation.h>
 
@@ -42,10 +42,18 @@ struct LimitRows {
 LimitRows MakeLimitRows(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
                         std::span<const Far::Place> places, bool tangents, const Progress& progress);
 
-/// Their points; rows are made a part of the places at a time, and not kept.
-std::vector<Vec3> LimitPoints(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme,
-                              std::span<const Far::Place> places, std::span<const double> positions,
-                              const Progress& progress);
+/// Points of places on the boundary's limit, asked for again and again; rows are made a part of the places at a time,
+/// and not kept. The refiner outlives it.
+class LimitPoints {
+  public:
+    LimitPoints(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme, const Progress& progress);
+    /// @throws InvalidInput naming a place that has no limit
+    std::vector<Vec3> At(std::span<const Far::Place> places, std::span<const double> positions);
+
+  private:
+    const Sdc::Scheme scheme_;
+    Far::LimitStencilTableFactory factory_;
+};
 
 /// (n_rows, width) numbers from (n_sources, width). @throws InvalidInput on another size
 std::vector<double> Apply(const Far::StencilRows<double>& rows, std::span<const double> values, int width);

@@ -82,9 +82,7 @@ std::string ReasonToSkip(const Far::TopologyDescriptor& mesh, Sdc::Split split) 
                 const auto edges = graph.vertex_edges[static_cast<Index>(v)];
                 if (graph.edge_faces[edges[0]].size() == 2 && graph.edge_faces[edges[1]].size() == 2) {
                     return "two faces are all around vertex " + std::to_string(v) +
-                           ": OpenSubdiv's limit masks take it for a corner, and our limits at places near such "
-                           "vertices "
-                           "are not right yet";
+                           ": OpenSubdiv's limit masks take it for a corner";
                 }
             }
             if (graph.vertex_tags[v].non_manifold() && graph.vertex_tags[v].rule() == Vtr::Rule::Curve) {

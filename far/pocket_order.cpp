@@ -33,15 +33,22 @@ const std::vector<std::array<Sdc::Local, 8>>& HexRotations() {
 }  // namespace
 
 std::uint64_t Pack(std::span<const Index> numbers) {
-    std::array<Index, 16> sorted;
-    const std::size_t n = std::min(numbers.size(), sorted.size());
-    std::copy(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(n), sorted.begin());
-    std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(n));
-    std::uint64_t packed = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        packed = packed << 16 | (i < n ? static_cast<std::uint64_t>(sorted[i]) & 0xFFFF : 0xFFFF);
+    // The four least, padded; nearly always there are no more.
+    std::array<std::uint64_t, 4> least{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+    if (numbers.size() <= least.size()) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) least[i] = static_cast<std::uint64_t>(numbers[i]) & 0xFFFF;
+        const auto order = [&](std::size_t i, std::size_t k) {
+            const std::uint64_t low = std::min(least[i], least[k]);
+            least[k] = std::max(least[i], least[k]);
+            least[i] = low;
+        };
+        order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    } else {
+        std::vector<Index> sorted(numbers.begin(), numbers.end());
+        std::partial_sort(sorted.begin(), sorted.begin() + 4, sorted.end());
+        for (std::size_t i = 0; i < 4; ++i) least[i] = static_cast<std::uint64_t>(sorted[i]) & 0xFFFF;
     }
-    return packed;
+    return least[0] << 48 | least[1] << 32 | least[2] << 16 | least[3];
 }
 
 void Rotate(std::vector<Index>& cycle) {

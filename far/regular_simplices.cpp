@@ -85,11 +85,24 @@ std::vector<Index> VerticesAt(const Sdc::SimplexPatch& patch, const Unfolding& u
     return vertices;
 }
 
+/// With octahedra as four tets around the major diagonal: an end of it is in all, another vertex in two.
+int CountTetsAt(const Pocket& pocket, Index v) {
+    int n = static_cast<int>(std::count(pocket.tets.begin(), pocket.tets.end(), v));
+    for (std::size_t i = 0; i < pocket.octs.size(); ++i) {
+        if (pocket.octs[i] == v) n += i % 6 < 2 ? 4 : 2;
+    }
+    return n;
+}
+
 }  // namespace
 
 std::optional<RegularPatch> RegularPatch::FindTets(const Pocket& pocket) {
     if (HasThinPartsOrCreases(pocket)) return std::nullopt;
-    constexpr std::size_t kTetsAtVertex = 24;
+    constexpr int kTetsAtVertex = 24;
+    for (Index v = 0; v < pocket.n_root_vertices; ++v) {
+        // Most pockets end here, before anything is built.
+        if (CountTetsAt(pocket, v) != kTetsAtVertex) return std::nullopt;
+    }
     // Octahedra as four tets around the major diagonal: pairs of B edges first.
     std::vector<Simplex> tets;
     for (std::size_t t = 0; t < pocket.tets.size(); t += 4) {
@@ -100,9 +113,6 @@ std::optional<RegularPatch> RegularPatch::FindTets(const Pocket& pocket) {
     for (std::size_t o = 0; o < pocket.octs.size(); o += 6) {
         const Index* v = pocket.octs.data() + o;
         for (std::size_t q = 0; q < kQuarters; ++q) tets.push_back({v[0], v[1], v[2 + (q & 1)], v[4 + (q >> 1)]});
-    }
-    for (Index v = 0; v < pocket.n_root_vertices; ++v) {
-        if (CountWith(tets, {&v, 1}) != kTetsAtVertex) return std::nullopt;
     }
     const auto mirror = [](const std::vector<Point>& side, const Point& vertex) {
         const Point normal = Cross(side[1] - side[0], side[2] - side[0]);

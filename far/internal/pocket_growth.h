@@ -168,23 +168,30 @@ class PocketGrowth final : public PocketSource {
             if (head == queue_.size() && !EnterNearest(root)) break;
             const Index c = queue_[head];
             sides_.clear();
-            for (Index s : complex_.Sides(c)) sides_.push_back({PackSide(s), s});
+            for (Index s : complex_.Sides(c)) {
+                if (IsWaiting(Beyond(s, c))) sides_.push_back({PackSide(s), s});
+            }
             std::sort(sides_.begin(), sides_.end());
             for (const auto& [key, s] : sides_) {
-                const auto& found = side_elements_[static_cast<std::size_t>(s)];
-                if (found[1] == kNoIndex || found[1] == kManyElements) continue;
-                const Index other = found[0] == c ? found[1] : found[0];
-                if (element_mark_[static_cast<std::size_t>(other)] == stamp_) Enter(other, root);
+                const Index other = Beyond(s, c);
+                if (IsWaiting(other)) Enter(other, root);  // an element may lie across two sides
             }
         }
     }
-    std::uint64_t PackSide(Index s) const {
-        std::array<Index, 16> numbers;
-        std::size_t n = 0;
-        for (Index v : complex_.SideVertices(s)) {
-            if (n < numbers.size()) numbers[n++] = numbers_[static_cast<std::size_t>(v)];
+    /// The other element at a side, if there is one and no more.
+    Index Beyond(Index side, Index c) const {
+        const auto& found = side_elements_[static_cast<std::size_t>(side)];
+        if (found[1] < 0) return kNoIndex;
+        return found[0] == c ? found[1] : found[0];
+    }
+    bool IsWaiting(Index c) const { return c != kNoIndex && element_mark_[static_cast<std::size_t>(c)] == stamp_; }
+    std::uint64_t PackSide(Index s) { return PackNumbered(complex_.SideVertices(s)); }
+    std::uint64_t PackNumbered(std::span<const Index> vertices) {
+        listed_.clear();
+        for (Index v : vertices) {
+            if (HasNumber(v)) listed_.push_back(numbers_[static_cast<std::size_t>(v)]);
         }
-        return Pack({numbers.data(), n});
+        return Pack(listed_);
     }
 
     /// Numbers an element's new vertices and lists it. Entered elements lose their mark.
@@ -213,12 +220,7 @@ class PocketGrowth final : public PocketSource {
         std::uint64_t least = ~std::uint64_t{0};
         for (Index c : elements_) {
             if (element_mark_[static_cast<std::size_t>(c)] != stamp_) continue;
-            std::array<Index, 16> numbers;
-            std::size_t n = 0;
-            for (Index v : complex_.Vertices(c)) {
-                if (HasNumber(v) && n < numbers.size()) numbers[n++] = numbers_[static_cast<std::size_t>(v)];
-            }
-            const std::uint64_t key = Pack({numbers.data(), n});
+            const std::uint64_t key = PackNumbered(complex_.Vertices(c));
             if (nearest == kNoIndex || key < least) {
                 nearest = c;
                 least = key;

@@ -180,9 +180,8 @@ class PocketGrowth final : public PocketSource {
     }
     /// The other element at a side, if there is one and no more.
     Index Beyond(Index side, Index c) const {
-        const auto& found = side_elements_[static_cast<std::size_t>(side)];
-        if (found[1] < 0) return kNoIndex;
-        return found[0] == c ? found[1] : found[0];
+        const auto& [first, second] = side_elements_[static_cast<std::size_t>(side)];
+        return second < 0 ? kNoIndex : first == c ? second : first;
     }
     bool IsWaiting(Index c) const { return c != kNoIndex && element_mark_[static_cast<std::size_t>(c)] == stamp_; }
     std::uint64_t PackSide(Index s) { return PackNumbered(complex_.SideVertices(s)); }

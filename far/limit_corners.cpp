@@ -133,11 +133,11 @@ class CornerFinder {
             Deflate(slopes, 1);
             if (!Orthonormalize(slopes)) return true;
         }
-        const auto [v, w] = BestPair(slopes);
+        const std::pair<Index, Index> pair = BestPair(slopes);
         bool has_plane = true;
         const LimitOutcome outcome = Settle(slopes, [&](LimitBlock& block) {
             Deflate(block, 1);
-            has_plane = has_plane && ReduceTo(v, w, block);
+            has_plane = has_plane && ReduceTo(pair.first, pair.second, block);
         });
         if (outcome == LimitOutcome::Unknown) return false;
         result.has_tangents = outcome == LimitOutcome::Known && has_plane;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "osd_position.h"
 #include "osd_topology_oracle.h"
 
 namespace SolidSubdiv::Validation {
@@ -18,16 +19,6 @@ namespace SolidSubdiv::Validation {
 namespace {
 
 namespace Theirs = OpenSubdiv::Far;
-
-/// What OpenSubdiv's refiner wants of a value.
-struct Position {
-    double x[3] = {0, 0, 0};
-
-    void Clear() { x[0] = x[1] = x[2] = 0; }
-    void AddWithWeight(const Position& other, double weight) {
-        for (int i = 0; i < 3; ++i) x[i] += weight * other.x[i];
-    }
-};
 
 std::vector<double> Sums(const Theirs::LimitStencilTableReal<double>& table, const std::vector<double>& weights,
                          const std::vector<double>& positions) {

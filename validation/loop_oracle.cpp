@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "osd_position.h"
 #include "osd_topology_oracle.h"
 
 namespace SolidSubdiv::Validation {
@@ -16,16 +17,6 @@ namespace SolidSubdiv::Validation {
 namespace {
 
 namespace Theirs = OpenSubdiv::Far;
-
-/// What OpenSubdiv's refiner wants of a value.
-struct Position {
-    double x[3] = {0, 0, 0};
-
-    void Clear() { x[0] = x[1] = x[2] = 0; }
-    void AddWithWeight(const Position& other, double weight) {
-        for (int i = 0; i < 3; ++i) x[i] += weight * other.x[i];
-    }
-};
 
 void CopyRows(const Theirs::TopologyRefiner& refiner, int max_row_level, std::vector<SurfaceLevel>& levels) {
     using Factory = Theirs::StencilTableFactoryReal<double>;

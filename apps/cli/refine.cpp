@@ -159,13 +159,7 @@ class RefineCommand {
             refinement.result_creases().edges.size() + refinement.result_creases().vertices.size() > 0) {
             session_.Note(options_.output + ": the format can't carry what is still sharp, left out");
         }
-        if (!refinement.without_limit().empty()) {
-            session_.Note(options_.input + ": " +
-                          Counted(static_cast<Offset>(refinement.without_limit().size()), "vertex", "vertices") +
-                          " of level " + std::to_string(refinement.refiner().max_level()) +
-                          " without a limit left in place, the first: vertex " +
-                          std::to_string(refinement.without_limit().front()));
-        }
+        NoteWithoutLimit(session_, options_.input, refinement);
         for (const Json& code : DescribeDefects(refinement.refiner().defects(), 100, 1)) {
             const std::string name = code["code"].get<std::string>();
             if (name == "coincident element") continue;
@@ -363,11 +357,7 @@ Work AddRefine(CLI::App& command) {
         ->option_text("N")
         ->check(CLI::Range(0, 20));
     AddSchemeOptions(command, o.scheme);
-    command
-        .add_option("--orient", o.orient,
-                    "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
-        ->option_text("repair|keep|refuse")
-        ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
+    AddOrientOption(command, o.orient);
     command.add_flag("--drop-border", o.drop_border,
                      "leave out the faces at the border of open surfaces: they\nonly support the others "
                      "(OpenSubdiv's VTX_BOUNDARY_NONE)");

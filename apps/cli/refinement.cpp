@@ -288,4 +288,12 @@ Io::Mesh Refinement::Boundary() const {
     return mesh;
 }
 
+void NoteWithoutLimit(Session& session, const std::string& input, const Refinement& refinement) {
+    const std::vector<Index>& vertices = refinement.without_limit();
+    if (vertices.empty()) return;
+    session.Note(input + ": " + Counted(static_cast<Offset>(vertices.size()), "vertex", "vertices") + " of level " +
+                 std::to_string(refinement.refiner().max_level()) +
+                 " without a limit left in place, the first: vertex " + std::to_string(vertices.front()));
+}
+
 }  // namespace SolidSubdiv::Cli

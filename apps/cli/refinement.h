@@ -89,4 +89,7 @@ class Refinement {
     std::vector<Index> without_limit_;
 };
 
+/// Says how many vertices of the last level stayed for want of a limit, if any did.
+void NoteWithoutLimit(Session& session, const std::string& input, const Refinement& refinement);
+
 }  // namespace SolidSubdiv::Cli

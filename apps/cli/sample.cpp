@@ -213,13 +213,7 @@ class SampleCommand {
         text_ = Counted(mesh.topology.n_vertices, "vertex", "vertices") + ", " +
                 Counted(mesh.topology.n_tets(), "tet", "tets") + ", volume " + Text(volume);
         if (n_not_positive > 0) text_ += "; " + Counted(n_not_positive, "tet is", "tets are") + " not positive";
-        if (!refinement.without_limit().empty()) {
-            session_.Note(options_.input + ": " +
-                          Counted(static_cast<Offset>(refinement.without_limit().size()), "vertex", "vertices") +
-                          " of level " + std::to_string(refinement.refiner().max_level()) +
-                          " without a limit left in place, the first: vertex " +
-                          std::to_string(refinement.without_limit().front()));
-        }
+        NoteWithoutLimit(session_, options_.input, refinement);
         return mesh;
     }
 
@@ -252,11 +246,7 @@ Work AddSample(CLI::App& command) {
     command.add_flag("--inside", o.inside, "tets of the inside, not the boundary; N is 1, 2, 4, 8 ...");
     command.add_flag("--quads", o.quads, "keep quads that quads are cut into, at a rate");
     AddSchemeOptions(command, o.scheme);
-    command
-        .add_option("--orient", o.orient,
-                    "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
-        ->option_text("repair|keep|refuse")
-        ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
+    AddOrientOption(command, o.orient);
     command.add_flag("--ascii", o.ascii, "write text where the format has a binary form too");
     command.footer(
         "Where 'refine' writes the cells of a level, 'sample' writes the limit that they converge to: all vertices lie "

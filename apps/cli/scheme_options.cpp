@@ -86,6 +86,13 @@ void AddSchemeOptions(CLI::App& command, SchemeOptions& options) {
     }
 }
 
+void AddOrientOption(CLI::App& command, std::string& orient) {
+    command
+        .add_option("--orient", orient, "inverted cells: repair (default) turns them,\nkeep leaves them, refuse fails")
+        ->option_text("repair|keep|refuse")
+        ->check(CLI::IsMember(std::set<std::string>{"repair", "keep", "refuse"}));
+}
+
 SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,
                               MeshKind kind) {
     const Sdc::Scheme scheme = NamedScheme(options, kind);

@@ -30,6 +30,9 @@ struct SchemeOptions {
 /// Adds --scheme, --diagonals and one option for each name in the schemes' tables. `options` must outlive the command.
 void AddSchemeOptions(CLI::App& command, SchemeOptions& options);
 
+/// Adds --orient: what is done about inverted cells.
+void AddOrientOption(CLI::App& command, std::string& orient);
+
 /// The options with what a file asks for (Io::Mesh::scheme_options) where the scheme has such an option and the command
 /// line does not say otherwise.
 SchemeOptions WithFileOptions(SchemeOptions options, const std::vector<std::pair<std::string, std::string>>& file,

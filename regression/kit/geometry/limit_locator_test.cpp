@@ -50,7 +50,7 @@ TEST(LimitLocator, PointsOfTheLimit_AreFoundAgain) {
     for (int level : {1, 2}) {
         const TestSolid tets = Full(TetSolid("block", block, level));
         for (const Sdc::Scheme scheme : {Sdc::Scheme(Sdc::BoxSpline{}), Sdc::Scheme(Sdc::LinearSolid{})}) {
-            ExpectFoundAgain(tets, scheme, 300);
+            ExpectFoundAgain(tets, scheme, 120);
         }
         const TestSolid hexes = Full(PolyhedralSolid("hexes", TestShapes::HexBlock(2), level));
         for (const Sdc::Scheme scheme : {Sdc::Scheme(Sdc::CatmullClarkSolid{}), Sdc::Scheme(Sdc::Mlca{})}) {

@@ -14,7 +14,7 @@ namespace SolidSubdiv::Geometry {
 namespace {
 
 TEST(Tessellation, ARateKeepsWhatIsClosedClosedAndEveryEulerCharacteristic) {
-    for (const TestComplex& complex : TestComplexes()) {
+    for (const TestComplex& complex : TestComplexesInShort()) {
         for (const auto& [name, scheme] : complex.schemes) {
             for (const int rate : {1, 2, 3}) {
                 for (const bool quads : {false, true}) {
@@ -121,7 +121,7 @@ TEST(Tessellation, AVertexIsTheLimitInEveryFaceThatHasIt) {
 }
 
 TEST(Tessellation, ARateOfFourHasTheLimitsOfTheVerticesOfLevelTwo) {
-    for (const TestComplex& complex : TestComplexes()) {
+    for (const TestComplex& complex : TestComplexesInShort()) {
         Far::TopologyRefiner refiner = complex.refiner;
         refiner.RefineUniform({.max_level = 2, .full_topology_in_last_level = true});
         if (refiner.is_polyhedral()) {
@@ -148,7 +148,7 @@ TEST(Tessellation, RandomPointsOfTheLimitAreWithinTheTolerance) {
     int n_that_a_coarser_one_fails = 0;
     for (const TestComplex& complex : TestComplexesInShort()) {
         for (const auto& [name, scheme] : complex.schemes) {
-            for (const double tolerance : {0.1, 0.02}) {
+            for (const double tolerance : {0.04}) {
                 const auto t = TessellateBoundary(complex.refiner, scheme, complex.positions, {.tolerance = tolerance});
                 EXPECT_LE(t.error, 0.8 * tolerance) << complex.name << ", " << name;
                 EXPECT_LE(LargestDistance(complex.refiner, scheme, t, complex.positions, 10), tolerance)
@@ -160,11 +160,11 @@ TEST(Tessellation, RandomPointsOfTheLimitAreWithinTheTolerance) {
             }
         }
     }
-    EXPECT_GT(n_that_a_coarser_one_fails, 20);  // the check can fail
+    EXPECT_GT(n_that_a_coarser_one_fails, 10);  // the check can fail
 }
 
 TEST(Tessellation, TheErrorSaidIsTheErrorFoundAtRandom) {
-    for (const TestComplex& complex : TestComplexes()) {
+    for (const TestComplex& complex : TestComplexesInShort()) {
         const auto& scheme = complex.schemes.front().second;
         const auto t = TessellateBoundary(complex.refiner, scheme, {.rate = 4});
         const auto said = MeasureError(complex.refiner, scheme, t, complex.positions);

@@ -5,6 +5,8 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -241,7 +243,10 @@ Work AddSample(CLI::App& command) {
         .add_option("--tolerance", o.tolerance,
                     "instead: as few triangles as keep within this distance\nof the limit, in the mesh's unit")
         ->option_text("T")
-        ->check(CLI::PositiveNumber)
+        ->check([](const std::string& text) {
+            const double tolerance = std::strtod(text.c_str(), nullptr);
+            return tolerance > 0 && std::isfinite(tolerance) ? std::string() : "'" + text + "' is no distance above 0";
+        })
         ->excludes(rate);
     command.add_flag("--inside", o.inside, "tets of the inside, not the boundary; N is 1, 2, 4, 8 ...");
     command.add_flag("--quads", o.quads, "keep quads that quads are cut into, at a rate");

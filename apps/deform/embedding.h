@@ -23,10 +23,12 @@
 // Source: ono2002ffd, sections 3 and 4; chang2002boxspline, section 5.1.
 #pragma once
 
+#include <array>
 #include <filesystem>
-#include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <solidsubdiv/far/stencil_table.h>
@@ -46,6 +48,7 @@ enum class Outside {
 
 /// "leave", "clamp" or "carry". @throws InvalidInput
 Outside OutsideOf(std::string_view name);
+std::string_view NameOf(Outside outside);
 
 struct EmbedOptions {
     Sdc::Scheme scheme = Sdc::CatmullClarkSolid{};
@@ -57,6 +60,8 @@ struct EmbedOptions {
     double falloff = 0;
     /// Points so near to a cell, in units of the positions, are held by it: not listed as outside.
     double tolerance = 0;
+    /// Words to keep in Embedding::settings() and in its file, as (name, value): options of the scheme, say.
+    std::vector<std::pair<std::string, std::string>> notes{};
     Progress progress{};
 
     /// @throws InvalidInput
@@ -87,12 +92,13 @@ struct EmbeddedCells {
 /// those outside that stay (factor 0), which stand in none.
 struct EmbeddingTables {
     Index n_points = 0, n_control_points = 0;
-    std::vector<Far::StencilRows<double>> cascade;  ///< columns of the first: the control points; of others: rows before
-    EmbeddedCells<8> hexes;                         ///< trilinear
-    EmbeddedCells<4> tets;                          ///< linear: also the parts of octahedra
-    Far::StencilRows<double> rows;                  ///< of the other points over the patch points
-    Array<Index> row_points;                        ///< (rows): ascending
-    std::vector<OutsidePoint> outside;              ///< ascending by point
+    std::vector<Far::StencilRows<double>>
+        cascade;                        ///< columns of the first: the control points; of others: rows before
+    EmbeddedCells<8> hexes;             ///< trilinear
+    EmbeddedCells<4> tets;              ///< linear: also the parts of octahedra
+    Far::StencilRows<double> rows;      ///< of the other points over the patch points
+    Array<Index> row_points;            ///< (rows): ascending
+    std::vector<OutsidePoint> outside;  ///< ascending by point
 
     Index n_patch_points() const { return cascade.empty() ? n_control_points : cascade.back().n_rows(); }
     Offset Bytes() const;
@@ -102,8 +108,8 @@ class Embedding {
   public:
     /// Points, (n, 3), in a lattice. Cost: a refinement of the lattice and a search a point. The same bits every time,
     /// for any number of threads.
-    /// @throws InvalidInput on lattices that are none (as TopologyRefiner::Create), without cells, that the scheme can't
-    /// refine; on positions that are not finite; Cancelled
+    /// @throws InvalidInput on lattices that are none (as TopologyRefiner::Create), without cells, that the scheme
+    /// can't refine; on positions that are not finite; Cancelled
     static Embedding Create(const Far::TopologyDescriptor& lattice, std::span<const double> lattice_positions,
                             std::span<const double> points, const EmbedOptions& options);
 

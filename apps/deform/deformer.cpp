@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cascade, then cells and rows. Positions of control and patch points lie at distances of four numbers, so that one
+// load brings one; maps of hexahedra are taken as polynomials, whose coefficients their points share.
+#include <solidsubdiv/apps/deform/deformer.h>
+
+#include <solidsubdiv/apps/deform/internal/touch.h>
+#include <solidsubdiv/osd/backends.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace SolidSubdiv::Deform {
+
+using namespace Internal;
+
+namespace {
+
+template <class To, class From>
+Array<To> Converted(const Array<From>& from) {
+    return Array<To>(from.begin(), from.end());
+}
+
+template <class Real>
+Far::StencilRows<Real> Converted(const Far::StencilRows<double>& rows) {
+    Far::StencilRows<Real> result;
+    result.n_sources = rows.n_sources;
+    result.offsets = rows.offsets;
+    result.indices = rows.indices;
+    result.weights = Converted<Real>(rows.weights);
+    return result;
+}
+
+/// EmbeddedCells with coordinates of Real.
+template <class Real, int kCorners>
+struct Cells {
+    Array<Index> corners;
+    Array<Index> offsets;
+    Array<Index> points;
+    Array<Real> at;
+
+    explicit Cells(const EmbeddedCells<kCorners>& cells)
+        : corners(cells.corners),
+          offsets(Converted<Index>(cells.offsets)),
+          points(cells.points),
+          at(Converted<Real>(cells.at)) {}
+    Index n_cells() const { return static_cast<Index>(offsets.size()) - 1; }
+    Offset Bytes() const {
+        return static_cast<Offset>((corners.size() + offsets.size() + points.size()) * sizeof(Index) +
+                                   at.size() * sizeof(Real));
+    }
+};
+
+template <class Real>
+struct Four {
+    typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
+};
+
+/// Reads the positions of a cell's corners.
+template <class Real, int kCorners>
+inline void Load(const Real* patch, const Index* corners, typename Four<Real>::Type* x) {
+    for (int i = 0; i < kCorners; ++i) std::memcpy(&x[i], patch + 4 * static_cast<Offset>(corners[i]), sizeof x[i]);
+}
+
+template <class Real>
+inline void Store(const typename Four<Real>::Type& x, Index point, Real* points) {
+    Real* const to = points + 3 * static_cast<Offset>(point);
+    to[0] = x[0];
+    to[1] = x[1];
+    to[2] = x[2];
+}
+
+template <class Real>
+void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Real* points) {
+    using Vector = typename Four<Real>::Type;
+    Vector x[8];
+    Load<Real, 8>(patch, &cells.corners[8 * static_cast<std::size_t>(cell)], x);
+    // Corners in VTK's order; the map is x0 + u a + v b + w c + uv ab + uw ac + vw bc + uvw abc.
+    const Vector a = x[1] - x[0], b = x[3] - x[0], c = x[4] - x[0];
+    const Vector ab = (x[2] - x[3]) - a, ac = (x[5] - x[4]) - a, bc = (x[7] - x[4]) - b;
+    const Vector abc = ((x[6] - x[7]) - (x[5] - x[4])) - ab;
+    for (Index i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
+        const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
+        const Vector point =
+            (x[0] + at[1] * b + at[2] * (c + at[1] * bc)) + at[0] * ((a + at[1] * ab) + at[2] * (ac + at[1] * abc));
+        Store<Real>(point, cells.points[i], points);
+    }
+}
+
+template <class Real>
+void MoveCell(const Cells<Real, 4>& cells, Index cell, const Real* patch, Real* points) {
+    using Vector = typename Four<Real>::Type;
+    Vector x[4];
+    Load<Real, 4>(patch, &cells.corners[4 * static_cast<std::size_t>(cell)], x);
+    const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+    for (Index i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
+        const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
+        Store<Real>(x[0] + at[0] * a + at[1] * b + at[2] * c, cells.points[i], points);
+    }
+}
+
+/// A row's terms in its order, each product rounded before it is added: the bits of the backends.
+template <class Real>
+void SumRow(const Far::StencilRows<Real>& rows, Index row, const Real* source, typename Four<Real>::Type& sum) {
+    typename Four<Real>::Type x;
+    sum = typename Four<Real>::Type{};
+    for (Offset k = rows.offsets[row]; k < rows.offsets[row + 1]; ++k) {
+        std::memcpy(&x, source + 4 * static_cast<Offset>(rows.indices[k]), sizeof x);
+        sum += x * rows.weights[k];
+    }
+}
+
+}  // namespace
+
+template <class Real>
+struct DeformerReal<Real>::State {
+    explicit State(const EmbeddingTables& t)
+        : n_points(t.n_points),
+          n_control_points(t.n_control_points),
+          hexes(t.hexes),
+          tets(t.tets),
+          rows(Converted<Real>(t.rows)),
+          row_points(t.row_points),
+          outside(t.outside) {
+        for (const auto& level : t.cascade) cascade.push_back(Converted<Real>(level));
+        values.emplace_back(4 * static_cast<std::size_t>(n_control_points));
+        for (const auto& level : cascade) values.emplace_back(4 * static_cast<std::size_t>(level.n_rows()));
+    }
+
+    const Real* patch() const { return values.back().data(); }
+
+    void CopyControl(std::span<const Real> control) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(n_control_points); ++i) CopyControl(control, i);
+    }
+    void CopyControl(std::span<const Real> control, std::size_t i) {
+        for (std::size_t c = 0; c < 3; ++c) values[0][4 * i + c] = control[3 * i + c];
+        values[0][4 * i + 3] = 0;
+    }
+
+    void Refine() {
+        const auto eval = Osd::Backend::Best().eval<Real>();
+        for (std::size_t l = 0; l < cascade.size(); ++l) {
+            eval(cascade[l], Osd::BufferView<const Real>(std::span<const Real>(values[l]), 4),
+                 Osd::BufferView<Real>(std::span<Real>(values[l + 1]), 4), 0, cascade[l].n_rows());
+        }
+    }
+
+    template <int kCorners>
+    void MoveCells(const Cells<Real, kCorners>& cells, Real* points) const {
+        constexpr Offset kGrain = 512;  // cells: some tens of microseconds
+        Sdc::ParallelFor(cells.n_cells(), kGrain, [&](Offset begin, Offset end) {
+            for (Offset cell = begin; cell < end; ++cell) MoveCell(cells, static_cast<Index>(cell), patch(), points);
+        });
+    }
+
+    void MoveRow(Index row, Real* points) const {
+        typename Four<Real>::Type sum;
+        SumRow(rows, row, patch(), sum);
+        Store<Real>(sum, row_points[row], points);
+    }
+
+    void MoveOutside(const OutsidePoint& out, Real* points) const {
+        Real* const x = points + 3 * static_cast<Offset>(out.point);
+        const Real factor = static_cast<Real>(out.factor);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Real constant = static_cast<Real>(out.constant[c]);
+            x[c] = factor == 0 ? constant : factor * x[c] + constant;
+        }
+    }
+
+    void Move(Real* points) const {
+        MoveCells(hexes, points);
+        MoveCells(tets, points);
+        Sdc::ParallelFor(rows.n_rows(), 512, [&](Offset begin, Offset end) {
+            for (Offset row = begin; row < end; ++row) MoveRow(static_cast<Index>(row), points);
+        });
+        for (const OutsidePoint& out : outside) MoveOutside(out, points);
+    }
+
+    /// Who touches whom.
+    struct Relations {
+        std::vector<Users> rows_of;  ///< of each level's sources: rows that use them
+        Users hexes_of, tets_of, rows_of_patch;
+        std::vector<TouchSet> touched;  ///< of each level's rows
+        TouchSet hexes, tets, rows;
+        std::vector<Index> outside_of;  ///< of each point: its place in `outside`, or kNoIndex; empty: none is
+    };
+
+    static Users UsersOfRows(const Far::StencilRows<Real>& rows) {
+        return MakeUsers(rows.n_sources, [&](auto&& add) {
+            for (Index row = 0; row < rows.n_rows(); ++row) {
+                for (Index source : rows.Indices(row)) add(source, row);
+            }
+        });
+    }
+    template <int kCorners>
+    Users UsersOfCells(const Cells<Real, kCorners>& cells) const {
+        return MakeUsers(static_cast<Index>(values.back().size() / 4), [&](auto&& add) {
+            for (Index i = 0; i < static_cast<Index>(cells.corners.size()); ++i) add(cells.corners[i], i / kCorners);
+        });
+    }
+
+    Relations& GetRelations() {
+        if (relations) return *relations;
+        relations = std::make_unique<Relations>();
+        Relations& r = *relations;
+        for (const auto& level : cascade) {
+            r.rows_of.push_back(UsersOfRows(level));
+            r.touched.emplace_back(level.n_rows());
+        }
+        r.hexes_of = UsersOfCells(hexes);
+        r.tets_of = UsersOfCells(tets);
+        r.hexes = TouchSet(hexes.n_cells());
+        r.tets = TouchSet(tets.n_cells());
+        if (rows.n_rows() > 0) r.rows_of_patch = UsersOfRows(rows);
+        r.rows = TouchSet(rows.n_rows());
+        if (!outside.empty()) {
+            r.outside_of.assign(static_cast<std::size_t>(n_points), kNoIndex);
+            for (std::size_t i = 0; i < outside.size(); ++i) {
+                r.outside_of[static_cast<std::size_t>(outside[i].point)] = static_cast<Index>(i);
+            }
+        }
+        return r;
+    }
+
+    /// Follows moved control points up. change(level, row) is called for every row touched, then cell or row of the
+    /// last stage by the others.
+    template <class OnRow, class OnHex, class OnTet, class OnLastRow>
+    void Follow(std::span<const Index> moved, OnRow&& on_row, OnHex&& on_hex, OnTet&& on_tet, OnLastRow&& on_last_row) {
+        Relations& r = GetRelations();
+        const auto to_next = [&](std::size_t level, Index source) {
+            if (level < cascade.size()) {
+                for (Index row : r.rows_of[level][source]) r.touched[level].Add(row);
+                return;
+            }
+            for (Index hex : r.hexes_of[source]) r.hexes.Add(hex);
+            for (Index tet : r.tets_of[source]) r.tets.Add(tet);
+            if (rows.n_rows() == 0) return;
+            for (Index row : r.rows_of_patch[source]) r.rows.Add(row);
+        };
+        for (Index i : moved) to_next(0, i);
+        for (std::size_t l = 0; l < cascade.size(); ++l) {
+            r.touched[l].Drain([&](Index row) {
+                on_row(l, row);
+                to_next(l + 1, row);
+            });
+        }
+        r.hexes.Drain(on_hex);
+        r.tets.Drain(on_tet);
+        r.rows.Drain(on_last_row);
+    }
+
+    void RequireIndices(std::span<const Index> control_points) const {
+        for (Index i : control_points) {
+            if (i < 0 || i >= n_control_points) {
+                throw InvalidInput("control point " + std::to_string(i) + " is not among the " +
+                                   std::to_string(n_control_points));
+            }
+        }
+    }
+    void RequireFit(std::size_t n_control_numbers, std::size_t n_point_numbers) const {
+        const auto require = [](std::size_t n, Index expected, const char* what) {
+            if (n != 3 * static_cast<std::size_t>(expected)) {
+                throw InvalidInput(std::to_string(n) + " coordinates are given for " + std::to_string(expected) + what);
+            }
+        };
+        require(n_control_numbers, n_control_points, " control points");
+        require(n_point_numbers, n_points, " points");
+    }
+
+    Index n_points, n_control_points;
+    std::vector<Far::StencilRows<Real>> cascade;
+    Cells<Real, 8> hexes;
+    Cells<Real, 4> tets;
+    Far::StencilRows<Real> rows;
+    Array<Index> row_points;
+    std::vector<OutsidePoint> outside;
+    std::vector<Array<Real>> values;  ///< control points and rows of each level: (n, 4), the last of four unused
+    bool has_values = false;
+    std::unique_ptr<Relations> relations;
+    std::vector<Index> changed;
+};
+
+template <class Real>
+DeformerReal<Real>::DeformerReal(const Embedding& embedding) : state_(std::make_unique<State>(embedding.tables())) {}
+template <class Real>
+DeformerReal<Real>::~DeformerReal() = default;
+template <class Real>
+DeformerReal<Real>::DeformerReal(DeformerReal&&) noexcept = default;
+template <class Real>
+DeformerReal<Real>& DeformerReal<Real>::operator=(DeformerReal&&) noexcept = default;
+
+template <class Real>
+Index DeformerReal<Real>::n_points() const {
+    return state_->n_points;
+}
+template <class Real>
+Index DeformerReal<Real>::n_control_points() const {
+    return state_->n_control_points;
+}
+
+template <class Real>
+void DeformerReal<Real>::Deform(std::span<const Real> control_points, std::span<Real> points) {
+    State& s = *state_;
+    s.RequireFit(control_points.size(), points.size());
+    s.CopyControl(control_points);
+    s.Refine();
+    s.Move(points.data());
+    s.has_values = true;
+}
+
+template <class Real>
+std::span<const Index> DeformerReal<Real>::Update(std::span<const Index> moved, std::span<const Real> control_points,
+                                                  std::span<Real> points) {
+    State& s = *state_;
+    s.RequireFit(control_points.size(), points.size());
+    s.RequireIndices(moved);
+    if (!s.has_values) throw InvalidInput("an update needs a Deform before it");
+    for (Index i : moved) s.CopyControl(control_points, static_cast<std::size_t>(i));
+    s.changed.clear();
+    const auto take_cell = [&](const auto& cells, Index cell) {
+        MoveCell(cells, cell, s.patch(), points.data());
+        s.changed.insert(s.changed.end(), cells.points.begin() + cells.offsets[cell],
+                         cells.points.begin() + cells.offsets[cell + 1]);
+    };
+    s.Follow(
+        moved,
+        [&](std::size_t l, Index row) {
+            typename Four<Real>::Type sum;
+            SumRow(s.cascade[l], row, s.values[l].data(), sum);
+            std::memcpy(&s.values[l + 1][4 * static_cast<std::size_t>(row)], &sum, sizeof sum);
+        },
+        [&](Index hex) { take_cell(s.hexes, hex); }, [&](Index tet) { take_cell(s.tets, tet); },
+        [&](Index row) {
+            s.MoveRow(row, points.data());
+            s.changed.push_back(s.row_points[row]);
+        });
+    const std::vector<Index>& outside_of = s.relations->outside_of;
+    if (!outside_of.empty()) {
+        for (Index point : s.changed) {
+            const Index out = outside_of[static_cast<std::size_t>(point)];
+            if (out != kNoIndex) s.MoveOutside(s.outside[static_cast<std::size_t>(out)], points.data());
+        }
+    }
+    return s.changed;
+}
+
+template <class Real>
+std::vector<Index> DeformerReal<Real>::Affected(std::span<const Index> control_points) {
+    State& s = *state_;
+    s.RequireIndices(control_points);
+    std::vector<Index> points;
+    const auto take_cell = [&](const auto& cells, Index cell) {
+        points.insert(points.end(), cells.points.begin() + cells.offsets[cell],
+                      cells.points.begin() + cells.offsets[cell + 1]);
+    };
+    s.Follow(
+        control_points, [](std::size_t, Index) {}, [&](Index hex) { take_cell(s.hexes, hex); },
+        [&](Index tet) { take_cell(s.tets, tet); }, [&](Index row) { points.push_back(s.row_points[row]); });
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+template <class Real>
+Offset DeformerReal<Real>::Bytes() const {
+    const State& s = *state_;
+    Offset bytes = s.hexes.Bytes() + s.tets.Bytes() + s.rows.Bytes() +
+                   static_cast<Offset>(s.row_points.size() * sizeof(Index) + s.outside.size() * sizeof(OutsidePoint));
+    for (const auto& level : s.cascade) bytes += level.Bytes();
+    for (const auto& values : s.values) bytes += static_cast<Offset>(values.size() * sizeof(Real));
+    return bytes;
+}
+
+template class DeformerReal<double>;
+template class DeformerReal<float>;
+
+}  // namespace SolidSubdiv::Deform

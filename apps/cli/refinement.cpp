@@ -19,16 +19,6 @@ namespace SolidSubdiv::Cli {
 
 namespace {
 
-/// The descriptor of a mesh with other vertex orders of its cells.
-Far::TopologyDescriptor Reordered(const Io::Topology& topology, const Far::DiagonalChoice& choice,
-                                  const Io::Creases& creases) {
-    Far::TopologyDescriptor descriptor = topology.View();
-    descriptor.tets = choice.tets;
-    descriptor.octs = choice.octs;
-    creases.AddTo(descriptor);
-    return descriptor;
-}
-
 /// Data of the elements of a finer level but the diagonals, which are made anew.
 template <class Rows>
 void CopyCellData(const Io::Mesh& from, Io::Mesh& to, Rows&& rows) {
@@ -123,6 +113,14 @@ Refinement::Refinement(Io::Mesh control, const RefinementSettings& settings, Ses
     session.EndStage();
 }
 
+Far::TopologyDescriptor Refinement::descriptor() const {
+    Far::TopologyDescriptor descriptor = control_.topology.View();
+    descriptor.tets = diagonals_.tets;
+    descriptor.octs = diagonals_.octs;
+    creases_.AddTo(descriptor);
+    return descriptor;
+}
+
 void Refinement::Orient() {
     Io::Topology& t = control_.topology;
     orientation_ = Geometry::OrientCells(t.tets, t.octs, control_.positions, settings_.orient);
@@ -150,7 +148,7 @@ void Refinement::ChooseDiagonals() {
 
 void Refinement::RefineTopology() {
     creases_ = Io::CreasesOf(control_);
-    refiner_ = Far::TopologyRefiner::Create(Reordered(control_.topology, diagonals_, creases_), settings_.split);
+    refiner_ = Far::TopologyRefiner::Create(descriptor(), settings_.split);
     RequireMemory(*refiner_, settings_, control_);
     refiner_->RefineUniform({.max_level = settings_.levels,
                              .full_topology_in_last_level = settings_.limit,

@@ -37,6 +37,8 @@ class Refinement {
     const Geometry::OrientationReport& orientation() const { return orientation_; }
     const Far::DiagonalChoice& diagonals() const { return diagonals_; }
     const Far::TopologyRefiner& refiner() const { return *refiner_; }
+    /// Of the control mesh, oriented, its diagonals chosen, with its creases. Valid while this lives.
+    Far::TopologyDescriptor descriptor() const;
     Offset stencil_bytes() const { return stencil_bytes_; }
     /// Elements of the input that lie on parts of higher dimension and are no creases or corners.
     Offset n_tags() const { return n_tags_; }

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Free-form deformation through the program: results, sequences, embeddings, normals, what is refused.
+#include <cmath>
+
+#include "apps/cli_testing.h"
+
+namespace SolidSubdiv::CliTesting {
+namespace {
+
+using testing::HasSubstr;
+
+/// A block of n^3 hexahedra over [-1, 1]^3.
+Io::Mesh Block(int n) {
+    Io::Mesh mesh;
+    const int m = n + 1;
+    mesh.topology.n_vertices = m * m * m;
+    for (int i = 0; i < m * m * m; ++i) {
+        for (int c : {i % m, i / m % m, i / m / m}) mesh.positions.push_back(2.0 * c / n - 1);
+    }
+    const auto id = [&](int x, int y, int z) { return x + m * (y + m * z); };
+    for (int i = 0; i < n * n * n; ++i) {
+        const int x = i % n, y = i / n % n, z = i / n / n;
+        mesh.topology.hexes.insert(mesh.topology.hexes.end(),
+                                   {id(x, y, z), id(x + 1, y, z), id(x + 1, y + 1, z), id(x, y + 1, z), id(x, y, z + 1),
+                                    id(x + 1, y, z + 1), id(x + 1, y + 1, z + 1), id(x, y + 1, z + 1)});
+    }
+    return mesh;
+}
+
+/// A tent of four triangles with an attribute and normals; its top is at (0, 0, 0.5), outside are none.
+Io::Mesh Tent() {
+    Io::Mesh mesh;
+    mesh.topology.n_vertices = 5;
+    mesh.positions = {-.5, -.5, 0, .5, -.5, 0, .5, .5, 0, -.5, .5, 0, 0, 0, .5};
+    mesh.topology.triangles = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+    mesh.point_data = {{"heat", 1, {1, 2, 3, 4, 5}},
+                       {"Normals", 3, {-.6, 0, .8, .6, 0, .8, 0, .6, .8, 0, -.6, .8, 0, 0, 1}}};
+    mesh.cell_data = {{"region", 1, {7, 8, 9, 10}}};
+    return mesh;
+}
+
+class CliDeform : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        WriteMesh("model.vtu", Tent());
+        WriteMesh("l0.vtu", Block(2));
+        Io::Mesh sheared = Block(2);
+        for (std::size_t i = 0; i < sheared.positions.size(); i += 3) {
+            sheared.positions[i] += 0.5 * sheared.positions[i + 2];
+            sheared.positions[i + 1] *= 2;
+        }
+        WriteMesh("sheared.vtu", sheared);
+        Io::Mesh bulged = Block(2);
+        bulged.positions[3 * 13 + 2] += 0.25;  // the middle point
+        WriteMesh("bulged.vtu", bulged);
+    }
+    std::string ErrorOf(const std::string& arguments, int status = 1) const {
+        const auto before = Names();
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.status, status) << arguments << outcome.err;
+        EXPECT_EQ(Names(), before) << arguments;
+        return outcome.err;
+    }
+};
+
+TEST_F(CliDeform, AffineMapsOfTheLattice_AreThoseOfTheModelAndItsNormals) {
+    const auto json = Json("deform model.vtu --lattice l0.vtu --to sheared.vtu -o out.vtu");
+    const Io::Mesh in = Tent(), out = ReadMesh("out.vtu");
+    const auto& normals = in.FindPointData("Normals")->values;
+    const auto& turned = out.FindPointData("Normals")->values;
+    for (std::size_t i = 0; i < 15; i += 3) {
+        EXPECT_NEAR(out.positions[i], in.positions[i] + 0.5 * in.positions[i + 2], 1e-14);
+        EXPECT_NEAR(out.positions[i + 1], 2 * in.positions[i + 1], 1e-14);
+        EXPECT_NEAR(out.positions[i + 2], in.positions[i + 2], 1e-14);
+        // By the transposed inverse; tangents are differences over 1e-5 of the size: ten digits are left.
+        double n[3] = {normals[i], normals[i + 1] / 2, normals[i + 2] - 0.5 * normals[i]};
+        const double length = std::hypot(n[0], n[1], n[2]);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(turned[i + c], n[c] / length, 1e-9);
+    }
+    EXPECT_EQ(out.FindPointData("heat")->values, in.FindPointData("heat")->values);
+    EXPECT_EQ(out.FindCellData("region")->values, in.FindCellData("region")->values);
+    EXPECT_EQ(out.topology.triangles, in.topology.triangles);
+    EXPECT_EQ(json["outside"]["count"], 0);
+    EXPECT_EQ(json["settings"]["scheme"], "catmull-clark-solid");
+    EXPECT_NEAR(json["states"][0]["largest_move"]["distance"].get<double>(), 0.5, 1e-14);
+}
+
+TEST_F(CliDeform, TheMiddleOfABlock_MovesByTheTricubicWeight) {
+    // In the limit a control point weighs (4/6)^3 at its place; the tent's top is not there, a vertex there is.
+    WriteText("middle.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nf 1 2 3\n");
+    MustRun("deform middle.obj --lattice l0.vtu --to bulged.vtu -o out.obj --limit");
+    EXPECT_NEAR(ReadMesh("out.obj").positions[2], 0.25 * 8 / 27, 1e-14);
+}
+
+TEST_F(CliDeform, SequencesAreNumbered_AndEmbeddingsGiveTheSame) {
+    MustRun("deform model.vtu --lattice l0.vtu --to sheared.vtu bulged.vtu -o walk.vtu --save-embedding model.embed");
+    MustRun("deform model.vtu --embedding model.embed --to bulged.vtu -o out.vtu");
+    EXPECT_EQ(ReadMesh("walk_0002.vtu").positions, ReadMesh("out.vtu").positions);
+    EXPECT_NE(ReadMesh("walk_0001.vtu").positions, ReadMesh("out.vtu").positions);
+    EXPECT_EQ(Names().count("walk.vtu"), 0u);
+    const auto only = Json("deform model.vtu --lattice l0.vtu --save-embedding again.embed");
+    EXPECT_EQ(ReadText(folder / "again.embed"), ReadText(folder / "model.embed"));
+    EXPECT_EQ(only["outputs"].size(), 1u);
+}
+
+TEST_F(CliDeform, VerticesOutside_AreNamedAndDoAsAsked) {
+    WriteText("long.obj", "v 0 0 0\nv 1.5 0 0\nv 5 0 0\nf 1 2 3\n");
+    const auto moved_x = [&](const std::string& options) {
+        const auto json = Json("deform long.obj --lattice l0.vtu --to sheared.vtu -o out.obj " + options);
+        EXPECT_EQ(json["outside"]["count"], 2);
+        EXPECT_EQ(json["outside"]["vertices"][1]["vertex"], 2);
+        EXPECT_NEAR(json["outside"]["farthest"].get<double>(), 4, 1e-12);
+        return ReadMesh("out.obj").positions;
+    };
+    const std::string note = MustRun("deform long.obj --lattice l0.vtu --to l0.vtu -o out.obj").err;
+    EXPECT_THAT(note, HasSubstr("2 vertices lie outside the lattice, at most 4 away (--outside carry): 1, 2"));
+    EXPECT_EQ(moved_x("--outside leave")[3], 1.5);
+    WriteMesh("sheared.vtu", [] {
+        Io::Mesh shifted = Block(2);
+        for (std::size_t i = 0; i < shifted.positions.size(); i += 3) shifted.positions[i] *= 3;
+        return shifted;
+    }());
+    EXPECT_NEAR(moved_x("--outside clamp")[3], 3.5, 1e-12);                // with the face at 1, which moves by 2
+    EXPECT_NEAR(moved_x("--outside carry --falloff inf")[3], 4.5, 1e-12);  // as the affine map has it
+    const double factor = (1 - 0.25 * 0.25) * (1 - 0.25 * 0.25);           // at a distance of 0.5 of 2
+    EXPECT_NEAR(moved_x("--falloff 2")[3], 1.5 + 3 * factor, 1e-12);
+    EXPECT_EQ(moved_x("--falloff 2")[6], 5);
+}
+
+TEST_F(CliDeform, FoldedLattices_AreReportedWithTheirCells) {
+    Io::Mesh folded = Block(2);
+    folded.positions[0] = 3;  // a corner of the first cell, through it
+    WriteMesh("folded.vtu", folded);
+    const Outcome outcome = MustRun("deform model.vtu --lattice l0.vtu --to folded.vtu -o out.vtu --json r.json");
+    EXPECT_THAT(outcome.err, HasSubstr("folded.vtu: 1 cell is folded or inverted: 0"));
+    EXPECT_EQ(nlohmann::json::parse(ReadText(folder / "r.json"))["states"][0]["folded"], nlohmann::json({0}));
+}
+
+TEST_F(CliDeform, SolidsAndSchemesOfTets) {
+    WriteMesh("tets.vtu", TwentyEightTets());
+    Io::Mesh moved = TwentyEightTets();
+    for (double& x : moved.positions) x *= 2;
+    WriteMesh("moved.vtu", moved);
+    WriteMesh("solid.vtu", TetMesh({.4, .4, .4, 1, .5, .5, .5, 1, .5, .5, .5, 1}, {0, 1, 2, 3}));
+    for (const std::string scheme : {"box-spline", "smooth-tet", "interpolatory", "linear-solid", "mlca"}) {
+        MustRun("deform solid.vtu --lattice tets.vtu --to moved.vtu -o out.vtu --scheme " + scheme);
+        EXPECT_NEAR(ReadMesh("out.vtu").positions[3], 2, 1e-13) << scheme;
+        EXPECT_EQ(ReadMesh("out.vtu").topology.n_tets(), 1);
+    }
+}
+
+TEST_F(CliDeform, BadUsage_IsRefused) {
+    EXPECT_THAT(ErrorOf("deform model.vtu --to l0.vtu -o out.vtu", 2), HasSubstr("--lattice"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu", 2), HasSubstr("nothing to do"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to l0.vtu", 2), HasSubstr("-o"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu -o out.vtu", 2), HasSubstr("--to"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to l0.vtu -o out.xyz9", 2), HasSubstr("out.xyz9"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to l0.vtu -o out.vtu --falloff -1", 2),
+                HasSubstr("no distance above 0"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to l0.vtu -o out.vtu --outside fly", 2),
+                HasSubstr("carry"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --embedding e --to l0.vtu -o out.vtu", 2),
+                HasSubstr("--embedding"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --embedding e --scheme mlca --to l0.vtu -o out.vtu", 2), HasSubstr("scheme"));
+}
+
+TEST_F(CliDeform, BadInput_IsRefusedWithOneLine) {
+    WriteMesh("larger.vtu", Block(3));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to larger.vtu -o out.vtu"),
+                HasSubstr("larger.vtu: has 64 control points, l0.vtu 27; a moved lattice keeps its cells"));
+    Io::Mesh other = Block(2);
+    std::swap(other.topology.hexes[8], other.topology.hexes[9]);
+    WriteMesh("other.vtu", other);
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to other.vtu -o out.vtu"),
+                HasSubstr("other.vtu: hexahedron 1 has other vertices than in l0.vtu"));
+    Io::Mesh fewer = Block(2);
+    fewer.topology.hexes.resize(8 * 7);
+    WriteMesh("fewer.vtu", fewer);
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to fewer.vtu -o out.vtu"),
+                HasSubstr("fewer.vtu: has 7 hexahedra, l0.vtu 8"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice model.vtu --to model.vtu -o out.vtu"), HasSubstr("no cells"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --to nowhere.vtu -o out.vtu"), HasSubstr("nowhere.vtu"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --scheme loop --to l0.vtu -o out.vtu"),
+                HasSubstr("l0.vtu: has 8 hexahedra"));
+    WriteText("bad.embed", "SSDEMBED and more than that, but no tables");
+    EXPECT_THAT(ErrorOf("deform model.vtu --embedding bad.embed --to l0.vtu -o out.vtu"), HasSubstr("bad.embed: "));
+    MustRun("deform model.vtu --lattice l0.vtu --save-embedding model.embed");
+    WriteText("short.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nf 1 2 3\n");
+    EXPECT_THAT(ErrorOf("deform short.obj --embedding model.embed --to l0.vtu -o out.obj"),
+                HasSubstr("model.embed: holds 5 points, short.obj has 3 vertices"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --embedding model.embed --to larger.vtu -o out.vtu"),
+                HasSubstr("64 control points"));
+    WriteMesh("solid.vtu", Block(1));
+    EXPECT_THAT(ErrorOf("deform solid.vtu --lattice l0.vtu --to l0.vtu -o out.obj"), HasSubstr("can't hold the cells"));
+}
+
+}  // namespace
+}  // namespace SolidSubdiv::CliTesting

@@ -6,7 +6,6 @@
 #include <solidsubdiv/sdc/errors.h>
 
 #include <cstdio>
-#include <iterator>
 #include <string>
 
 namespace SolidSubdiv::Picture {
@@ -14,6 +13,7 @@ namespace {
 
 using Internal::CutPlane;
 using Internal::LineWidth;
+using Internal::VisibleEdges;
 
 constexpr Color kBad = Color::Hex(0xe3122b);
 constexpr Color kFaint = Color::Hex(0xb4bcc6);
@@ -32,18 +32,6 @@ Scene FacesScene(const Io::Mesh& mesh, const SolidFaces& faces, const std::vecto
                       .triangle_colors = colors});
     scene.Add(Lines{.positions = mesh.positions, .edges = edges, .width = LineWidth(edges.size() / 2, render, 1.2)});
     return scene;
-}
-
-/// Sides of the faces that are seen, each once; not the diagonals that cut them into triangles.
-std::vector<Index> SidesOf(const Io::Mesh& mesh, const SolidFaces& faces) {
-    Io::Topology skin;
-    skin.triangles = faces.triangles;
-    const std::vector<Index> all = ElementEdges(skin), real = ElementEdges(mesh.topology);
-    std::vector<std::array<Index, 2>> first, second, common;
-    for (std::size_t i = 0; i < all.size(); i += 2) first.push_back({all[i], all[i + 1]});
-    for (std::size_t i = 0; i < real.size(); i += 2) second.push_back({real[i], real[i + 1]});
-    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(common));
-    return Internal::UniqueEdges(std::move(common));
 }
 
 /// Faces of the cells of at most `most`.
@@ -90,11 +78,11 @@ Image QualityPicture(const Io::Mesh& mesh, std::span<const double> quality, cons
     const SolidFaces cut = CutSolid(mesh, options.plane.value_or(CutPlane(mesh, options.view)));
     const double most = Quantile(quality, kWorstShare);
     const SolidFaces worst = FacesOfCells(mesh, quality, most);
-    const std::vector<Index> sides = SidesOf(mesh, skin);
+    const std::vector<Index> sides = VisibleEdges(mesh, skin.triangles);
 
     Scene scenes[3];
     scenes[0] = FacesScene(mesh, skin, sides, quality, options.render);
-    scenes[1] = FacesScene(mesh, cut, SidesOf(mesh, cut), quality, options.render);
+    scenes[1] = FacesScene(mesh, cut, VisibleEdges(mesh, cut.triangles), quality, options.render);
     scenes[2] = FacesScene(mesh, worst, worst.edges, quality, options.render);
     scenes[2].Add(Lines{.positions = mesh.positions,
                         .edges = sides,

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace SolidSubdiv::Picture {
@@ -15,79 +14,15 @@ namespace {
 
 using Internal::CutPlane;
 using Internal::LineWidth;
+using Internal::VisibleEdges;
+using Internal::VisibleTriangles;
 
-/// The triangles that are seen of a mesh: a solid's boundary, and its surface elements.
-std::vector<Index> VisibleTriangles(const Io::Mesh& mesh) {
-    std::vector<Index> triangles;
-    if (mesh.topology.n_cells() > 0) {
-        triangles = SolidBoundary(mesh).triangles;
-    } else {
-        const Io::Topology& t = mesh.topology;
-        triangles = t.triangles;
-        const auto add = [&](std::span<const Index> face) {
-            for (std::size_t i = 2; i < face.size(); ++i) {
-                triangles.insert(triangles.end(), {face[0], face[i - 1], face[i]});
-            }
-        };
-        for (std::size_t q = 0; q + 4 <= t.quads.size(); q += 4) add(std::span(t.quads).subspan(q, 4));
-        for (Offset p = 0; p < t.n_polygons(); ++p) {
-            const Offset first = t.polygon_offsets[p], end = t.polygon_offsets[p + 1];
-            add(std::span(t.polygon_vertices).subspan(first, end - first));
-        }
-    }
-    return triangles;
-}
-
-/// Edges, as pairs of ends, that are in both lists.
-std::vector<Index> CommonEdges(const std::vector<Index>& a, const std::vector<Index>& b) {
-    using Pair = std::pair<Index, Index>;
-    const auto pairs = [](const std::vector<Index>& ends) {
-        std::vector<Pair> sorted;
-        for (std::size_t i = 0; i < ends.size(); i += 2) sorted.push_back(std::minmax(ends[i], ends[i + 1]));
-        std::sort(sorted.begin(), sorted.end());
-        return sorted;
-    };
-    const auto first = pairs(a), second = pairs(b);
-    std::vector<Pair> common;
-    std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(common));
-    std::vector<Index> edges;
-    for (const auto& [low, high] : common) edges.insert(edges.end(), {low, high});
-    return edges;
-}
-
-/// The edges that are seen of a mesh from outside.
-std::vector<Index> VisibleEdges(const Io::Mesh& mesh, const std::vector<Index>& triangles) {
-    if (mesh.topology.n_cells() > 0) {
-        Io::Topology skin;
-        skin.triangles = triangles;
-        return CommonEdges(ElementEdges(skin), ElementEdges(mesh.topology));  // not the diagonals of quadrilaterals
-    }
-    Io::Topology seen;
-    seen.triangles = mesh.topology.triangles;
-    seen.quads = mesh.topology.quads;
-    seen.polygon_offsets = mesh.topology.polygon_offsets;
-    seen.polygon_vertices = mesh.topology.polygon_vertices;
-    seen.edges = mesh.topology.edges;
-    return ElementEdges(seen);
-}
-
+/// The lattice from outside, around its shape.
 Scene LatticeScene(const Io::Mesh& lattice, const Io::Mesh& shape, const RenderOptions& render) {
-    const std::vector<Index> skin = VisibleTriangles(shape), lattice_skin = VisibleTriangles(lattice);
-    const std::vector<Index> edges = VisibleEdges(lattice, lattice_skin);
-    const double width = LineWidth(edges.size() / 2, render, 4);
-    std::vector<Index> ends = edges;
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    std::vector<double> points;
-    for (Index v : ends) {
-        const double* p = &lattice.positions[3 * static_cast<std::size_t>(v)];
-        points.insert(points.end(), {p[0], p[1], p[2]});
-    }
+    const std::vector<Index> skin = VisibleTriangles(shape);
     Scene scene;
     scene.Add(Surface{.positions = shape.positions, .triangles = skin});
-    scene.Add(Lines{
-        .positions = lattice.positions, .edges = edges, .color = Palette::kLattice, .width = width, .shaded = true});
-    scene.Add(Points{.positions = points, .color = Palette::kLattice, .diameter = 2.7 * width});
+    Internal::AddLattice(scene, lattice, VisibleEdges(lattice, VisibleTriangles(lattice)), render);
     return scene;
 }
 

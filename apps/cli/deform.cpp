@@ -18,7 +18,8 @@
 #include <solidsubdiv/apps/deform/deformer.h>
 #include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/io/formats.h>
-#ifdef SOLIDSUBDIV_HAS_PICTURES_TODO
+#include <solidsubdiv/kit/io/obj_text.h>
+#ifdef SOLIDSUBDIV_HAS_PICTURES
 #include <solidsubdiv/kit/picture/deformation_picture.h>
 #endif
 
@@ -35,6 +36,8 @@ struct DeformOptions {
     std::string outside = "carry";
     double falloff = 0;
 };
+
+bool IsObj(const std::string& file) { return !file.empty() && Io::FormatOf(file).extension == ".obj"; }
 
 /// At most ten of many numbers: "1, 2, 3 and 17 more".
 std::string FirstOf(const std::vector<Index>& numbers) {
@@ -54,9 +57,13 @@ class DeformCommand {
         RequireUsable();
         session_.Stage("read");
         model_ = Io::ReadMesh(options_.model);
-        for (const std::string& note : model_.notes) session_.Note(options_.model + ": " + note);
-        model_.notes.clear();
         RequireFormat();
+        if (IsObj(options_.model) && IsObj(options_.output)) {
+            text_of_model_.emplace(options_.model);
+        } else {
+            for (const std::string& note : model_.notes) session_.Note(options_.model + ": " + note);
+        }
+        model_.notes.clear();
         json_["model"] = {{"file", options_.model}, {"vertices", model_.topology.n_vertices}};
         if (options_.embedding.empty()) {
             Embed();
@@ -129,8 +136,14 @@ class DeformCommand {
         session_.Stage("read lattice");
         lattice_ = std::make_unique<ModelLattice>(options_.lattice, options_.scheme, session_);
         const std::vector<double>& control = lattice_->mesh().positions;
-        // Far below any cell, far above rounding.
-        normals_ = std::make_unique<ModelNormals>(model_, 1e-5 * Geometry::BoundingBox(control).Diagonal());
+        if (text_of_model_) {
+            const auto vertices = text_of_model_->normal_vertices();
+            const auto normals = text_of_model_->normals();
+            normals_ = {{vertices.begin(), vertices.end()}, {normals.begin(), normals.end()}};
+        } else {
+            normals_ = NormalsOf(model_);
+        }
+        const double step = 1e-5 * Geometry::BoundingBox(control).Diagonal();  // far below cells, far above rounding
         session_.Stage("embed");
         const SolidSubdiv::Deform::EmbedOptions how{.scheme = lattice_->scheme(),
                                                     .levels = options_.levels,
@@ -144,10 +157,10 @@ class DeformCommand {
                 return SolidSubdiv::Deform::Embedding::Create(lattice_->descriptor(), control, points, how);
             });
         };
-        embedding_ = embed(normals_->WithTangents());
+        embedding_ = embed(WithTangents(model_.positions, normals_, step));
         if (!saved_.empty()) {
             session_.Stage("save embedding");
-            (normals_->empty() ? *embedding_ : embed(model_.positions)).Save(saved_);
+            (normals_.empty() ? *embedding_ : embed(model_.positions)).Save(saved_);
             AddOutput("embedding", options_.save_embedding, saved_);
         }
         const std::vector<Index> folded = lattice_->FoldedCells(control);
@@ -170,7 +183,7 @@ class DeformCommand {
                                ", " + options_.model + " has " +
                                Counted(model_.topology.n_vertices, "vertex", "vertices"));
         }
-        if (!ModelNormals(model_, 1).empty()) {
+        if (!NormalsOf(model_).empty() || (text_of_model_ && !text_of_model_->normals().empty())) {
             session_.Note(options_.model +
                           ": normals stay as they are: an embedding holds vertices alone; name the "
                           "--lattice to carry them");
@@ -222,7 +235,7 @@ class DeformCommand {
             Report(session_.progress(), "deform", static_cast<double>(i) / static_cast<double>(options_.to.size()));
             moved_lattice_ = ReadMoved(options_.to[i]);
             deformer.Deform(moved_lattice_.positions, points);
-            deformed_ = normals_ ? normals_->Deformed(points) : model_;
+            deformed_ = model_;
             deformed_.positions.assign(points.begin(),
                                        points.begin() + static_cast<std::ptrdiff_t>(model_.positions.size()));
             Json state = {{"to", options_.to[i]}, {"output", OutputName(i)}};
@@ -232,9 +245,16 @@ class DeformCommand {
             }
             TellLargest(state);
             session_.Stage("write");
-            Io::WriteMesh(outputs_[i], deformed_,
-                          {.keep_octahedra = options_.keep_octahedra, .binary = !options_.ascii});
-            if (i == 0) TellLeftOut();
+            const std::vector<double> normals = TurnedNormals(points, normals_);
+            if (text_of_model_) {
+                const std::span<const double> kept = text_of_model_->normals();
+                text_of_model_->Write(outputs_[i], deformed_.positions, normals_.empty() ? kept : normals);
+            } else {
+                SetNormals(deformed_, normals);
+                Io::WriteMesh(outputs_[i], deformed_,
+                              {.keep_octahedra = options_.keep_octahedra, .binary = !options_.ascii});
+                if (i == 0) TellLeftOut();
+            }
             json_["states"].push_back(std::move(state));
             AddOutput("model", OutputName(i), outputs_[i]);
         }
@@ -279,7 +299,7 @@ class DeformCommand {
     }
 
     void WritePicture() {
-#ifdef SOLIDSUBDIV_HAS_PICTURES_TODO
+#ifdef SOLIDSUBDIV_HAS_PICTURES
         session_.Stage("picture");
         const Io::Mesh* const lattice = lattice_ ? &lattice_->mesh() : nullptr;
         std::vector<Picture::DeformationState> states{{&model_, lattice, "model in its lattice"}};
@@ -299,7 +319,8 @@ class DeformCommand {
     std::filesystem::path saved_, picture_;
     Io::Mesh model_, deformed_, moved_lattice_;
     std::unique_ptr<ModelLattice> lattice_;
-    std::unique_ptr<ModelNormals> normals_;
+    std::optional<Io::ObjText> text_of_model_;  // where an OBJ file becomes another
+    ModelNormals normals_;
     std::optional<SolidSubdiv::Deform::Embedding> embedding_;
     Json json_ = {{"command", "deform"}};
     std::string text_, said_;
@@ -361,7 +382,7 @@ Work AddDeform(CLI::App& command) {
         ->excludes(falloff)
         ->excludes(save);
     AddSchemeOptions(command, o.scheme);
-#ifdef SOLIDSUBDIV_HAS_PICTURES_TODO
+#ifdef SOLIDSUBDIV_HAS_PICTURES
     command.add_option("--picture", o.picture, "a picture of before and after")->option_text("OUT.png");
 #endif
     command.add_flag("--keep-octahedra", o.keep_octahedra, "write octahedra of solids as polyhedra (.vtu, .vtk)");

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <string>
 
 namespace SolidSubdiv::Cli {
 
@@ -40,9 +41,8 @@ Vector FirstTangent(const Vector& normal) {
     return Unit(Cross(axis, normal));
 }
 
-}  // namespace
-
-ModelNormals::ModelNormals(const Io::Mesh& model, double step) : model_(model), step_(step) {
+/// Places of the attributes that hold normals: one of width 3, three of width 1, or none.
+std::vector<std::size_t> FindNormals(const Io::Mesh& model) {
     const auto& data = model.point_data;
     const auto place = [&](const char* name, int width) {
         return static_cast<std::size_t>(
@@ -50,46 +50,61 @@ ModelNormals::ModelNormals(const Io::Mesh& model, double step) : model_(model), 
                          [&](const Io::Attribute& a) { return LowerCase(a.name) == name && a.width == width; }) -
             data.begin());
     };
-    if (const std::size_t normals = place("normals", 3); normals < data.size()) {
-        attributes_ = {normals};
-        normals_ = data[normals].values;
-        return;
+    if (const std::size_t normals = place("normals", 3); normals < data.size()) return {normals};
+    const std::vector<std::size_t> found = {place("nx", 1), place("ny", 1), place("nz", 1)};
+    return *std::max_element(found.begin(), found.end()) < data.size() ? found : std::vector<std::size_t>();
+}
+
+}  // namespace
+
+ModelNormals NormalsOf(const Io::Mesh& model) {
+    const std::vector<std::size_t> found = FindNormals(model);
+    ModelNormals normals;
+    for (Index v = 0; v < model.topology.n_vertices && !found.empty(); ++v) {
+        const auto row = static_cast<std::size_t>(v);
+        normals.vertices.push_back(v);
+        for (std::size_t c = 0; c < 3; ++c) {
+            normals.normals.push_back(found.size() == 1 ? model.point_data[found[0]].values[3 * row + c]
+                                                        : model.point_data[found[c]].values[row]);
+        }
     }
-    attributes_ = {place("nx", 1), place("ny", 1), place("nz", 1)};
-    if (*std::max_element(attributes_.begin(), attributes_.end()) >= data.size()) return;
-    for (std::size_t i = 0; i < model.positions.size(); ++i) {
-        normals_.push_back(data[attributes_[i % 3]].values[i / 3]);
+    return normals;
+}
+
+void SetNormals(Io::Mesh& model, std::span<const double> normals) {
+    const std::vector<std::size_t> found = FindNormals(model);
+    for (std::size_t i = 0; i < normals.size() && !found.empty(); ++i) {
+        if (found.size() == 1) {
+            model.point_data[found[0]].values[i] = normals[i];
+        } else {
+            model.point_data[found[i % 3]].values[i / 3] = normals[i];
+        }
     }
 }
 
-std::vector<double> ModelNormals::WithTangents() const {
-    std::vector<double> points = model_.positions;
-    for (std::size_t i = 0; 3 * i < normals_.size(); ++i) {
-        const Vector normal = Unit(At(normals_, i)), a = FirstTangent(normal), b = Cross(normal, a);
+std::vector<double> WithTangents(std::span<const double> positions, const ModelNormals& normals, double step) {
+    std::vector<double> points(positions.begin(), positions.end());
+    for (std::size_t i = 0; i < normals.vertices.size(); ++i) {
+        const Vector x = At(positions, static_cast<std::size_t>(normals.vertices[i]));
+        const Vector normal = Unit(At(normals.normals, i)), a = FirstTangent(normal), b = Cross(normal, a);
         for (const Vector& tangent : {a, b}) {
-            for (std::size_t c = 0; c < 3; ++c) points.push_back(model_.positions[3 * i + c] + step_ * tangent[c]);
+            for (std::size_t c = 0; c < 3; ++c) points.push_back(x[c] + step * tangent[c]);
         }
     }
     return points;
 }
 
-Io::Mesh ModelNormals::Deformed(std::span<const double> points) const {
-    Io::Mesh mesh = model_;
-    const std::size_t n = mesh.positions.size() / 3;
-    mesh.positions.assign(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(3 * n));
-    for (std::size_t i = 0; i < n && !empty(); ++i) {
-        const Vector x = At(points, i), a = At(points, n + 2 * i), b = At(points, n + 2 * i + 1);
+std::vector<double> TurnedNormals(std::span<const double> points, const ModelNormals& normals) {
+    std::vector<double> turned;
+    const std::size_t n_vertices = points.size() / 3 - 2 * normals.vertices.size();
+    for (std::size_t i = 0; i < normals.vertices.size(); ++i) {
+        const Vector x = At(points, static_cast<std::size_t>(normals.vertices[i]));
+        const Vector a = At(points, n_vertices + 2 * i), b = At(points, n_vertices + 2 * i + 1);
         const Vector normal =
             Unit(Cross({a[0] - x[0], a[1] - x[1], a[2] - x[2]}, {b[0] - x[0], b[1] - x[1], b[2] - x[2]}));
-        for (std::size_t c = 0; c < 3; ++c) {
-            if (attributes_.size() == 1) {
-                mesh.point_data[attributes_[0]].values[3 * i + c] = normal[c];
-            } else {
-                mesh.point_data[attributes_[c]].values[i] = normal[c];
-            }
-        }
+        turned.insert(turned.end(), normal.begin(), normal.end());
     }
-    return mesh;
+    return turned;
 }
 
 }  // namespace SolidSubdiv::Cli

@@ -3,31 +3,29 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include <solidsubdiv/kit/io/mesh.h>
 
 namespace SolidSubdiv::Cli {
 
-/// Point data `Normals` (three numbers; the name in any case), or PLY's nx, ny, nz.
-class ModelNormals {
-  public:
-    /// @param step how far the points beside lie: small against what deforms, large against rounding
-    ModelNormals(const Io::Mesh& model, double step);
+/// Normals at vertices of a model; a vertex may have several, or none.
+struct ModelNormals {
+    std::vector<Index> vertices;  ///< (n)
+    std::vector<double> normals;  ///< (n, 3); of length 0: stays so
 
-    bool empty() const { return normals_.empty(); }
-    /// The vertices, followed by the two points beside each; without normals the vertices alone.
-    std::vector<double> WithTangents() const;
-    /// Puts what WithTangents() has become into a copy of the model: positions and normals of length 1. Normals of
-    /// length 0 stay so.
-    Io::Mesh Deformed(std::span<const double> points) const;
-
-  private:
-    const Io::Mesh& model_;
-    double step_;
-    std::vector<std::size_t> attributes_;  // one of width 3, or three of width 1
-    std::vector<double> normals_;          // (n, 3) or empty
+    bool empty() const { return vertices.empty(); }
 };
+
+/// Point data `Normals` (three numbers; the name in any case), or PLY's nx, ny, nz.
+ModelNormals NormalsOf(const Io::Mesh& model);
+/// Puts them back.
+void SetNormals(Io::Mesh& model, std::span<const double> normals);
+
+/// The positions, followed by the two points beside each normal.
+/// @param step how far they lie: small against what deforms, large against rounding
+std::vector<double> WithTangents(std::span<const double> positions, const ModelNormals& normals, double step);
+/// Normals of length 1 from what WithTangents' points have become.
+std::vector<double> TurnedNormals(std::span<const double> points, const ModelNormals& normals);
 
 }  // namespace SolidSubdiv::Cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Free-form deformation through the program: results, sequences, embeddings, normals, what is refused.
 #include <cmath>
+#include <cstdio>
 
 #include "apps/cli_testing.h"
 
@@ -91,6 +92,22 @@ TEST_F(CliDeform, TheMiddleOfABlock_MovesByTheTricubicWeight) {
     WriteText("middle.obj", "v 0 0 0\nv .1 0 0\nv 0 .1 0\nf 1 2 3\n");
     MustRun("deform middle.obj --lattice l0.vtu --to bulged.vtu -o out.obj --limit");
     EXPECT_NEAR(ReadMesh("out.obj").positions[2], 0.25 * 8 / 27, 1e-14);
+}
+
+TEST_F(CliDeform, ObjFilesKeepAllElse_AndTheirNormalsTurn) {
+    WriteText("in.obj",
+              "mtllib m.mtl\nv 0 0 0\nv .1 0 0\nv 0 .1 0\nvt 0 0\nvn 1 0 0\nusemtl skin\nf 1/1/1 2/1/1 3/1/1\n");
+    EXPECT_EQ(MustRun("deform in.obj --lattice l0.vtu --to sheared.vtu -o out.obj").err, "");
+    const std::string out = ReadText(folder / "out.obj");
+    EXPECT_THAT(out, HasSubstr("mtllib m.mtl\n"));
+    EXPECT_THAT(out, HasSubstr("usemtl skin\n"));
+    EXPECT_THAT(out, HasSubstr("f 1/1/1 2/1/2 3/1/3\n"));
+    double n[3] = {};
+    ASSERT_EQ(std::sscanf(out.c_str() + out.find("vn "), "vn %lf %lf %lf", &n[0], &n[1], &n[2]), 3);
+    // By the transposed inverse of x + z / 2.
+    EXPECT_NEAR(n[0], 1 / std::hypot(1, 0.5), 1e-9);
+    EXPECT_NEAR(n[2], -0.5 / std::hypot(1, 0.5), 1e-9);
+    EXPECT_THAT(MustRun("deform in.obj --lattice l0.vtu --to sheared.vtu -o out.ply").err, HasSubstr("not kept"));
 }
 
 TEST_F(CliDeform, SequencesAreNumbered_AndEmbeddingsGiveTheSame) {

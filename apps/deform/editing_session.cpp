@@ -196,11 +196,10 @@ struct EditingSession::State {
         if (from.empty()) return {};
         Internal::UndoStep<Mode> step = std::move(from.back());
         from.pop_back();
-        const bool is_same_lattice = step.mode.level == mode.level && step.mode.enclosing == mode.enclosing;
         std::swap(mode, step.mode);
         const std::optional<std::vector<Index>> moved = step.Exchange(arrays, Current());
         to.push_back(std::move(step));
-        return is_same_lattice && moved ? Follow(*moved) : FollowAll();
+        return moved ? Follow(*moved) : FollowAll();  // another lattice comes with another correction, a whole array
     }
 };
 

@@ -116,9 +116,9 @@ TEST(EditingSession, ChangesOfLevelWouldMovePointsWithoutTheCorrection) {
 
 TEST(EditingSession, DownAndUpAgainRestoresControlPoints) {
     Scene scene(.02);
-    scene.MoveSome(9, .1, 1);
+    scene.MoveSome(9, .7, 1);  // far enough for details to be rounded
     scene.session.SetLevel(2);
-    scene.MoveSome(9, .1, 2);
+    scene.MoveSome(90, .7, 2);
     const std::vector<double> fine = Copy(scene.session.control_points());
     const std::vector<double> middle = scene.session.ControlPoints(1), coarse = scene.session.ControlPoints(0);
     for (int level : {0, 1, 0, 2}) scene.session.SetLevel(level);

@@ -41,7 +41,7 @@ struct DragTarget {
 struct DragOptions {
     std::span<const Index> locked{};  ///< control points that stay, to the bit
     /// Keep the volume that these triangles of embedded points enclose: (n, 3), a closed surface, counterclockwise from
-    /// outside. (Of another surface it keeps the sum of the cones from the origin.)
+    /// outside. (Of another surface: the sum of the cones over it from the middle of the control points' box.)
     bool preserve_volume = false;
     std::span<const Index> triangles{};
     /// (n_points, 3), added to every deformed point, or empty: EditingSession::correction().

@@ -220,7 +220,7 @@ LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<co
     RequireBytes(n_cells, options.max_bytes);
 
     Report(options.progress, "lattices", .6);
-    std::vector<GridCorners> corners;
+    std::optional<GridCorners> before;  // of the level before
     for (std::size_t i = 0; i < n_levels; ++i) {
         LatticeLevel& level = hierarchy.levels[i];
         for (std::uint32_t place : places[i]) level.cells.push_back(CellAt(place));
@@ -229,9 +229,10 @@ LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<co
             while (places[i - 1][static_cast<std::size_t>(parent)] != places[i][c] / 8) ++parent;
             level.parents.push_back(parent);
         }
-        corners.emplace_back(level.cells, static_cast<int>(i));
-        level.lattice = MakeGridLattice(hierarchy.box, static_cast<int>(i), level.cells, corners.back());
-        if (i > 0) level.octree_rule = OctreeRule(corners[i], corners[i - 1]);
+        GridCorners corners(level.cells, static_cast<int>(i));
+        level.lattice = MakeGridLattice(hierarchy.box, static_cast<int>(i), level.cells, corners);
+        if (before) level.octree_rule = OctreeRule(corners, *before);
+        before = std::move(corners);
     }
     if (!options.shrink) return hierarchy;
 

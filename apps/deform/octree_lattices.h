@@ -83,7 +83,8 @@ struct LatticeHierarchy {
 /// count: parts of triangles between them may come to lie outside. Points without vertices in the cells around
 /// them stay. Each level is shrunk by itself: its control points are no longer the octree rule of those before.
 ///
-/// Cost: linear in points, cells and, for cuts by triangles, the cells that they touch; scratch of 8^levels / 4 bytes.
+/// Cost: linear in points, cells and, for cuts by triangles, the cells that they touch; and 0.4 bytes of scratch for
+/// every cell that the finest grid has without cuts: 0.4 GB at level 10.
 /// @throws InvalidInput where there is no point (in the region), one is not finite or beyond 1e75, a triangle names a
 /// point that is not there, or lattices would not fit; Cancelled
 LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<const Index> triangles,

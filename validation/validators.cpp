@@ -80,6 +80,13 @@ constexpr std::array kValidators = {
               "share of matched faces that `matched` reaches: 100 % on shuffled blocks of the lattice, 75 % on "
               "models; errors are what lacks",
               0, "the shares are the aims themselves; counts are whole numbers", ValidateDiagonals},
+    Validator{"ffd-regular",
+              "free-form deformation with blocks of hexahedra, Catmull-Clark solids and mlca = tricubic B-splines with "
+              "linearly extrapolated ends, in the limit, and their trilinear pieces at levels 0-3, over the size",
+              1e-12,
+              "sums of 64 weights: a few units of round-off (2e-16), and as much again for coordinates found by steps "
+              "of Newton's, times how much the deformation stretches (some ten times)",
+              ValidateFfdRegular},
     Validator{"limit-places",
               "limit rows at random places of every scheme, in cells and on boundary faces, and their derivatives = "
               "what refinement alone leads to at level 14, over the shape's size",

@@ -80,6 +80,15 @@ constexpr std::array kValidators = {
               "share of matched faces that `matched` reaches: 100 % on shuffled blocks of the lattice, 75 % on "
               "models; errors are what lacks",
               0, "the shares are the aims themselves; counts are whole numbers", ValidateDiagonals},
+    Validator{"ffd-laws",
+              "free-form deformation in lattices of any cells, under every scheme: affine maps map points affinely, "
+              "lattices at rest leave them, over the size (in float times a millionth); embedding again gives the same "
+              "bits, and so do updates; control points touch what is in their rows, within N_p,3 of the lattice paper",
+              1e-12,
+              "sums of weights that add up to 1, and points located to 64 units of round-off (1.4e-14), in the limit "
+              "to 1e-13 "
+              "of the size; in float a few units of its round-off (6e-8), and some ten times that",
+              ValidateFfdLaws},
     Validator{"ffd-regular",
               "free-form deformation with blocks of hexahedra, Catmull-Clark solids and mlca = tricubic B-splines with "
               "linearly extrapolated ends, in the limit, and their trilinear pieces at levels 0-3, over the size",

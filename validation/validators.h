@@ -67,6 +67,7 @@ Findings ValidateCellAveraging(const Context& context);
 Findings ValidateCellQuality(const Context& context);
 Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
+Findings ValidateFfdLaws(const Context& context);
 Findings ValidateFfdRegular(const Context& context);
 Findings ValidateLimitPlaces(const Context& context);
 Findings ValidateLimitSurfaces(const Context& context);

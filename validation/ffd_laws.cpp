@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include <solidsubdiv/apps/deform/octree_lattices.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/sdc/parallel.h>
@@ -111,23 +112,45 @@ void CheckLaws(const FfdShape& shape, const Deform::EmbedOptions& options, int& 
     }
 }
 
-/// Limits take milliseconds a point where cells are irregular: fewer points.
+void CheckSchemes(const FfdShape& shape, bool limit, int& most_steps, Findings& findings) {
+    for (const Sdc::Scheme& scheme : SchemesFor(shape)) {
+        Findings found;
+        // Steps of Newton's stop where they are near enough, by default 1e-12 of the size: nearly all that is allowed.
+        CheckLaws(shape,
+                  {.scheme = scheme,
+                   .levels = limit ? 1 : 2,
+                   .limit = limit,
+                   .tolerance = limit ? 1e-13 * SizeOf(shape.control) : 0},
+                  most_steps, found);
+        findings.Merge(found, shape.name + ", " + std::string(Sdc::NameOf(scheme)) + (limit ? ", limit" : ""));
+    }
+}
+
 void CheckLattice(const std::string& name, const Far::TopologyDescriptor& lattice, const std::vector<double>& control,
                   int n_points, int& most_steps, Findings& findings) {
+    // Limits take milliseconds a point where cells are irregular: fewer points.
     for (const bool limit : {false, true}) {
-        const FfdShape shape = DrawFfdShape(name, lattice, control, limit ? 10 : n_points, 1);
-        for (const Sdc::Scheme& scheme : SchemesFor(shape)) {
-            Findings found;
-            // Steps of Newton's stop where they are near enough, by default 1e-12 of the size: nearly all that is
-            // allowed.
-            CheckLaws(shape,
-                      {.scheme = scheme,
-                       .levels = limit ? 1 : 2,
-                       .limit = limit,
-                       .tolerance = limit ? 1e-13 * SizeOf(control) : 0},
-                      most_steps, found);
-            findings.Merge(found, name + ", " + std::string(Sdc::NameOf(scheme)) + (limit ? ", limit" : ""));
+        CheckSchemes(DrawFfdShape(name, lattice, control, limit ? 10 : n_points, 1), limit, most_steps, findings);
+    }
+}
+
+/// A model in its octree lattice.
+void CheckModel(const std::filesystem::path& path, int level, int& most_steps, Findings& findings) {
+    const std::string name = path.filename().string() + ", level " + std::to_string(level);
+    if (!std::filesystem::exists(path)) {
+        findings.skipped.push_back(name + ": there is no " + path.string());
+        return;
+    }
+    const Io::Mesh mesh = Io::ReadMesh(path);
+    const auto hierarchy = Deform::MakeOctreeLattices(mesh.positions, mesh.topology.triangles, {.levels = level});
+    const Deform::ControlLattice& lattice = hierarchy.levels.back().lattice;
+    for (const bool limit : {false, true}) {
+        const std::size_t step = 3 * std::max<std::size_t>(1, mesh.positions.size() / (limit ? 300 : 6000));
+        Points points;
+        for (std::size_t i = 0; i < mesh.positions.size(); i += step) {
+            points.insert(points.end(), &mesh.positions[i], &mesh.positions[i] + 3);
         }
+        CheckSchemes(InBoxes(name, lattice, std::move(points)), limit, most_steps, findings);
     }
 }
 
@@ -145,6 +168,25 @@ FfdShape DrawFfdShape(std::string name, const Far::TopologyDescriptor& lattice, 
     if (8 * static_cast<std::size_t>(refiner.n_cells(0)) == lattice.hexes.size()) {
         shape.cells = CellsOfHexes(lattice.hexes);
         for (const Far::Place& place : drawn) shape.homes.push_back(place.element);
+    }
+    return shape;
+}
+
+FfdShape InBoxes(std::string name, const Deform::ControlLattice& lattice, std::vector<double> points) {
+    FfdShape shape{std::move(name), lattice.View(), lattice.positions, std::move(points), CellsOfHexes(lattice.hexes)};
+    const double slack = 1e-12 * SizeOf(shape.control);
+    for (std::size_t i = 0; i < shape.points.size(); i += 3) {
+        const auto holds = [&](const std::vector<int>& cell) {
+            const double *const low = &shape.control[3 * static_cast<std::size_t>(cell[0])],
+                                *const high = &shape.control[3 * static_cast<std::size_t>(cell[6])];
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (shape.points[i + c] < low[c] - slack || shape.points[i + c] > high[c] + slack) return false;
+            }
+            return true;
+        };
+        const auto home = std::find_if(shape.cells.begin(), shape.cells.end(), holds);
+        if (home == shape.cells.end()) throw InvalidInput("point " + std::to_string(i / 3) + " is in no cell");
+        shape.homes.push_back(static_cast<int>(home - shape.cells.begin()));
     }
     return shape;
 }
@@ -264,6 +306,13 @@ Findings ValidateFfdLaws(const Context& context) {
         }
         const Io::Mesh mesh = Io::ReadSolid(path);
         CheckLattice(name, mesh.topology, mesh.positions, 500, most_steps, findings);
+    }
+    const std::filesystem::path surfaces = context.tets.parent_path() / "surfaces";
+    for (int level : {0, 2, 4}) {
+        for (const auto& path : {context.shapes / "demo" / "bunny.obj", surfaces / "ode_koala.obj",
+                                 surfaces / "hoppe_mechpart.recon.obj", surfaces / "ode_human_woman.obj"}) {
+            CheckModel(path, level, most_steps, findings);
+        }
     }
     findings.notes.push_back("cells of affected points are at most " + std::to_string(most_steps) +
                              " steps from the control point that moves");

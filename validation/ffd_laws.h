@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <solidsubdiv/apps/deform/control_lattice.h>
 #include <solidsubdiv/apps/deform/deformer.h>
 
 #include "findings.h"
@@ -27,6 +28,9 @@ struct FfdShape {
 /// n points drawn within the lattice's cells.
 FfdShape DrawFfdShape(std::string name, const Far::TopologyDescriptor& lattice, std::vector<double> control, int n,
                       std::uint32_t seed);
+
+/// Points in a lattice whose cells are boxes along the axes. @throws InvalidInput naming a point that no box holds
+FfdShape InBoxes(std::string name, const Deform::ControlLattice& lattice, std::vector<double> points);
 
 /// An affine map of points, (n, 3), far from orthogonal.
 std::vector<double> MapAffinely(std::span<const double> points);

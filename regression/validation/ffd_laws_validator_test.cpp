@@ -3,6 +3,7 @@
 // cells counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <solidsubdiv/sdc/errors.h>
 
 #include <algorithm>
 #include <bit>
@@ -23,6 +24,19 @@ TEST(FfdStepsByCells, CountByHandInARowOfCells) {
     const std::vector<std::vector<int>> cells = {{0, 1, 3, 2}, {2, 3, 5, 4}, {4, 5, 7, 6}, {7, 8, 9}};
     EXPECT_THAT(StepsByCells(cells, 11, 0), testing::ElementsAre(0, 1, 1, 1, 2, 2, 3, 3, 4, 4, -1));
     EXPECT_THAT(StepsByCells(cells, 11, 4), testing::ElementsAre(2, 2, 1, 1, 0, 1, 1, 1, 2, 2, -1));
+}
+
+TEST(FfdInBoxes, FindsTheBoxOfEachPointAndNamesAPointThatNoneHolds) {
+    Deform::ControlLattice two;  // cubes side by side
+    for (double z : {0, 1}) {
+        for (double y : {0, 1}) {
+            for (double x : {0, 1, 2}) two.positions.insert(two.positions.end(), {x, y, z});
+        }
+    }
+    two.hexes = {0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10};
+    const FfdShape shape = InBoxes("two", two, {0.5, 0.5, 0.5, 1.5, 0.5, 1, 0, 0, 0});
+    EXPECT_THAT(shape.homes, testing::ElementsAre(0, 1, 0));
+    EXPECT_THROW(InBoxes("two", two, {0.5, 0.5, 0.5, 1.5, 0.5, 1.01}), InvalidInput);
 }
 
 class FfdLawsValidator : public testing::Test {

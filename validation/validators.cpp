@@ -96,6 +96,10 @@ constexpr std::array kValidators = {
               "sums of 64 weights: a few units of round-off (2e-16), and as much again for coordinates found by steps "
               "of Newton's, times how much the deformation stretches (some ten times)",
               ValidateFfdRegular},
+    Validator{"lattice-counts",
+              "octree lattices: of one cell 1, 8, .. 32768 cells, as published; of models the cells that a count of "
+              "their vertices finds, each once, with as many control points as they have corners",
+              0, "whole numbers", ValidateLatticeCounts},
     Validator{"limit-places",
               "limit rows at random places of every scheme, in cells and on boundary faces, and their derivatives = "
               "what refinement alone leads to at level 14, over the shape's size",

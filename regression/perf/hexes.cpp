@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The races of hexahedra: a block of 100^3 by one level, beside the same number of other cells; solids with
 // extraordinary edges by two.
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +9,7 @@
 #include "perf/add_evaluation.h"
 #include "perf/hex_meshes.h"
 #include "perf/machine.h"
+#include "perf/meshes.h"
 #include "perf/races.h"
 #include "perf/solid.h"
 
@@ -61,12 +61,6 @@ void AddSolid(Race& race, const RaceSettings& settings, const SharedSolid& solid
         add_tables("refine + stencils, double", Sdc::CatmullClarkSolid{}, double{});
         add_tables("refine + linear stencils, float", Sdc::LinearSolid{}, float{});
     }
-}
-
-/// A mesh of the local collection, which the repository may not carry.
-std::filesystem::path LocalMesh(const char* name) {
-    const char* const given = std::getenv("SOLIDSUBDIV_DATA");
-    return std::filesystem::path(given ? given : SOLIDSUBDIV_DATA) / name;
 }
 
 }  // namespace

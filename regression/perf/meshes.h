@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <numbers>
 
@@ -74,6 +76,12 @@ inline Io::Mesh QuadTorus(bool is_quick) {
         }
     }
     return mesh;
+}
+
+/// A mesh of the local collection, which the repository may not carry.
+inline std::filesystem::path LocalMesh(const char* name) {
+    const char* const given = std::getenv("SOLIDSUBDIV_DATA");
+    return std::filesystem::path(given ? given : SOLIDSUBDIV_DATA) / name;
 }
 
 inline Far::TopologyDescriptor Describe(const TestShapes::Shape& s) {

@@ -35,7 +35,7 @@ void TakeTurn(benchmark::State& state, const Candidate& candidate) {
             state.counters[kPassed] = seconds.passed;
             state.counters[kRan] = seconds.ran;
         } else {
-            candidate.run();
+            for (int i = 0; i < candidate.times; ++i) candidate.run();
         }
         state.PauseTiming();
         if (candidate.clear) candidate.clear();
@@ -53,8 +53,9 @@ class Collector : public benchmark::BenchmarkReporter {
             if (run.run_type != Run::RT_Iteration) continue;
             Result& result = results_[static_cast<std::size_t>(run.family_index)];
             const bool ran_apart = run.counters.contains(kRan);
-            result.passed.push_back(ran_apart ? run.counters.at(kPassed).value : run.real_accumulated_time);
-            result.ran.push_back(ran_apart ? run.counters.at(kRan).value : run.cpu_accumulated_time);
+            const double times = result.candidate.times;
+            result.passed.push_back(ran_apart ? run.counters.at(kPassed).value : run.real_accumulated_time / times);
+            result.ran.push_back(ran_apart ? run.counters.at(kRan).value : run.cpu_accumulated_time / times);
         }
     }
 

@@ -23,6 +23,7 @@ struct Candidate {
     int n_threads = 1;
     std::function<void()> run{};
     std::function<Seconds()> run_apart{};  ///< instead of run: runs in another process and tells how long it took
+    int times = 1;                         ///< a turn is so many runs, of short ones; times are those of one run
     double work = 0;                       ///< units done in a run
     std::string unit{};                    ///< of work: "cells"
     std::vector<std::string> peers{};      ///< names of candidates to compare with

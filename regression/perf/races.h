@@ -29,6 +29,10 @@ Race RaceInterpolatory(const RaceSettings& settings);
 Race RaceEvaluation(const RaceSettings& settings);
 Race RaceLocation(const RaceSettings& settings);
 Race RaceLimits(const RaceSettings& settings);
+/// Of models of so many vertices.
+Race RaceDeform(const RaceSettings& settings, int n_vertices);
+Race RaceDeformKoala(const RaceSettings& settings);
+Race RaceEmbedding(const RaceSettings& settings);
 
 struct RaceEntry {
     const char* name;
@@ -50,6 +54,12 @@ inline constexpr RaceEntry kRaces[] = {
     {"evaluation", &RaceEvaluation},
     {"location", &RaceLocation},
     {"limits", &RaceLimits},
+    {"deform-495", [](const RaceSettings& s) { return RaceDeform(s, 495); }},
+    {"deform-22886", [](const RaceSettings& s) { return RaceDeform(s, 22886); }},
+    {"deform-53417", [](const RaceSettings& s) { return RaceDeform(s, 53417); }},
+    {"deform-1000000", [](const RaceSettings& s) { return RaceDeform(s, 1000000); }},
+    {"deform-koala", &RaceDeformKoala},
+    {"deform-embedding", &RaceEmbedding},
 };
 
 }  // namespace SolidSubdiv::Perf

@@ -39,7 +39,8 @@ std::string TableOf(const Race& race) {
         {race.name(), "threads", "median ms", "rate", "bytes kept a unit", "% of copy bandwidth", "times as fast as"}};
     for (const Result& r : race.results()) {
         const Candidate& c = r.candidate;
-        rows.push_back({c.name, std::to_string(c.n_threads), Print("%.1f", r.median_seconds * 1e3), RateText(r),
+        const double ms = r.median_seconds * 1e3;
+        rows.push_back({c.name, std::to_string(c.n_threads), Print(ms < 1 ? "%.4f" : "%.1f", ms), RateText(r),
                         c.kept_bytes > 0 ? Print("%.1f", c.kept_bytes / c.work) : "",
                         c.moved_bytes > 0 ? Print("%.0f", r.bandwidth_share * 100) : "", RatiosText(r)});
     }

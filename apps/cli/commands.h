@@ -22,6 +22,7 @@ using Work = std::function<void(Session&)>;
 Work AddInfo(CLI::App& command);
 Work AddRefine(CLI::App& command);
 Work AddSample(CLI::App& command);
+Work AddLattice(CLI::App& command);
 Work AddDeform(CLI::App& command);
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
 Work AddAnalyze(CLI::App& command);
@@ -37,6 +38,7 @@ inline constexpr std::array kCommands = {
     Command{"info", "what is in a file: counts, shape, boundary, regularity, defects, attributes", AddInfo},
     Command{"refine", "refine a solid, a surface or a curve by a subdivision scheme", AddRefine},
     Command{"sample", "sample the limit: triangles of the boundary, tets of the inside", AddSample},
+    Command{"lattice", "control lattices around a model: octree, shrunken, of tets", AddLattice},
     Command{"deform", "free-form deformation: move a model with a control lattice around it", AddDeform},
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
     Command{"analyze", "eigenvalues of a scheme, and what they say about smoothness", AddAnalyze},

@@ -71,8 +71,9 @@ inline void Store(const typename Four<Real>::Type& x, Index point, Real* points)
     to[2] = x[2];
 }
 
+/// Moves points [begin, end) of a cell.
 template <class Real>
-void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Real* points) {
+void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Index begin, Index end, Real* points) {
     using Vector = typename Four<Real>::Type;
     Vector x[8];
     Load<Real, 8>(patch, &cells.corners[8 * static_cast<std::size_t>(cell)], x);
@@ -80,7 +81,7 @@ void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Real* 
     const Vector a = x[1] - x[0], b = x[3] - x[0], c = x[4] - x[0];
     const Vector ab = (x[2] - x[3]) - a, ac = (x[5] - x[4]) - a, bc = (x[7] - x[4]) - b;
     const Vector abc = ((x[6] - x[7]) - (x[5] - x[4])) - ab;
-    for (Index i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
+    for (Index i = begin; i < end; ++i) {
         const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
         const Vector point =
             (x[0] + at[1] * b + at[2] * (c + at[1] * bc)) + at[0] * ((a + at[1] * ab) + at[2] * (ac + at[1] * abc));
@@ -89,12 +90,12 @@ void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Real* 
 }
 
 template <class Real>
-void MoveCell(const Cells<Real, 4>& cells, Index cell, const Real* patch, Real* points) {
+void MoveCell(const Cells<Real, 4>& cells, Index cell, const Real* patch, Index begin, Index end, Real* points) {
     using Vector = typename Four<Real>::Type;
     Vector x[4];
     Load<Real, 4>(patch, &cells.corners[4 * static_cast<std::size_t>(cell)], x);
     const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
-    for (Index i = cells.offsets[cell]; i < cells.offsets[cell + 1]; ++i) {
+    for (Index i = begin; i < end; ++i) {
         const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
         Store<Real>(x[0] + at[0] * a + at[1] * b + at[2] * c, cells.points[i], points);
     }
@@ -128,6 +129,8 @@ struct DeformerReal<Real>::State {
         for (const auto& level : cascade) values.emplace_back(4 * static_cast<std::size_t>(level.n_rows()));
     }
 
+    static constexpr Offset kGrain = 2048;  // points
+
     const Real* patch() const { return values.back().data(); }
 
     void CopyControl(std::span<const Real> control) {
@@ -148,9 +151,17 @@ struct DeformerReal<Real>::State {
 
     template <int kCorners>
     void MoveCells(const Cells<Real, kCorners>& cells, Real* points) const {
-        constexpr Offset kGrain = 512;  // cells: some tens of microseconds
-        Sdc::ParallelFor(cells.n_cells(), kGrain, [&](Offset begin, Offset end) {
-            for (Offset cell = begin; cell < end; ++cell) MoveCell(cells, static_cast<Index>(cell), patch(), points);
+        // A few cells may hold all points: work is shared by points. Some ten microseconds each.
+        Sdc::ParallelFor(static_cast<Offset>(cells.points.size()), kGrain, [&](Offset first, Offset last) {
+            const Index begin = static_cast<Index>(first), end = static_cast<Index>(last);
+            Index cell = static_cast<Index>(std::upper_bound(cells.offsets.begin(), cells.offsets.end(), begin) -
+                                            cells.offsets.begin()) -
+                         1;
+            for (Index i = begin; i < end; ++cell) {
+                const Index cell_end = std::min(end, cells.offsets[cell + 1]);
+                MoveCell(cells, cell, patch(), i, cell_end, points);
+                i = cell_end;
+            }
         });
     }
 
@@ -172,7 +183,7 @@ struct DeformerReal<Real>::State {
     void Move(Real* points) const {
         MoveCells(hexes, points);
         MoveCells(tets, points);
-        Sdc::ParallelFor(rows.n_rows(), 512, [&](Offset begin, Offset end) {
+        Sdc::ParallelFor(rows.n_rows(), kGrain, [&](Offset begin, Offset end) {
             for (Offset row = begin; row < end; ++row) MoveRow(static_cast<Index>(row), points);
         });
         for (const OutsidePoint& out : outside) MoveOutside(out, points);
@@ -320,7 +331,7 @@ std::span<const Index> DeformerReal<Real>::Update(std::span<const Index> moved, 
     for (Index i : moved) s.CopyControl(control_points, static_cast<std::size_t>(i));
     s.changed.clear();
     const auto take_cell = [&](const auto& cells, Index cell) {
-        MoveCell(cells, cell, s.patch(), points.data());
+        MoveCell(cells, cell, s.patch(), cells.offsets[cell], cells.offsets[cell + 1], points.data());
         s.changed.insert(s.changed.end(), cells.points.begin() + cells.offsets[cell],
                          cells.points.begin() + cells.offsets[cell + 1]);
     };

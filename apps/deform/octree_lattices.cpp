@@ -144,6 +144,13 @@ std::vector<Reach> Coarser(std::span<const Reach> finer, std::span<const Index> 
 
 }  // namespace
 
+Cut CutOf(std::string_view name) {
+    if (name == "none") return Cut::None;
+    if (name == "vertices") return Cut::Vertices;
+    if (name == "triangles") return Cut::Triangles;
+    throw InvalidInput("there is no cut '" + std::string(name) + "'; there are none, vertices, triangles");
+}
+
 void OctreeOptions::Validate() const {
     if (levels < 0 || levels > kMostLevels) {
         throw InvalidInput("levels is " + std::to_string(levels) + ", not in [0, " + std::to_string(kMostLevels) + "]");

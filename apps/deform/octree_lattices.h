@@ -23,6 +23,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <solidsubdiv/apps/deform/control_lattice.h>
@@ -39,6 +40,9 @@ enum class Cut {
                ///< own faces in the last
     Triangles  ///< those with a vertex or any part of a triangle. Cells that are touched within rounding count
 };
+
+/// "none", "vertices" or "triangles". @throws InvalidInput
+Cut CutOf(std::string_view name);
 
 struct OctreeOptions {
     Geometry::BoxKind box = Geometry::BoxKind::AxisAligned;

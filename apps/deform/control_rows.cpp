@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows of chosen points over the control points: their rows over the patch points, taken down the cascade.
 #include <solidsubdiv/apps/deform/embedding.h>
+#include <solidsubdiv/apps/deform/internal/used_columns.h>
 
 #include <algorithm>
 #include <string>
@@ -84,6 +85,16 @@ void AddPoint(const EmbeddingTables& t, Index place, double factor, SparseSum& s
 
 Far::StencilRows<double> Embedding::ControlRows(std::span<const Index> points) const {
     const EmbeddingTables& t = tables_;
+    if (t.n_control_points > t.Bytes()) {  // sums are dense: of so many, over those that something reads
+        Embedding few;
+        few.tables_ = t;
+        const Internal::UsedColumns used = Internal::KeepUsedControlPoints(few.tables_);
+        few.tables_.n_control_points = used.size();
+        Far::StencilRows<double> rows = few.ControlRows(points);
+        rows.n_sources = t.n_control_points;
+        for (Index& i : rows.indices) i = used[i];
+        return rows;
+    }
     const Stands stands(t);
     std::vector<SparseSum> sums;  // over the control points, then the rows of each level
     sums.emplace_back(t.n_control_points);

@@ -4,6 +4,7 @@
 #include <solidsubdiv/apps/deform/deformer.h>
 
 #include <solidsubdiv/apps/deform/internal/touch.h>
+#include <solidsubdiv/apps/deform/internal/used_columns.h>
 #include <solidsubdiv/osd/backends.h>
 #include <solidsubdiv/sdc/parallel.h>
 
@@ -125,7 +126,8 @@ struct DeformerReal<Real>::State {
           row_points(t.row_points),
           outside(t.outside) {
         for (const auto& level : t.cascade) cascade.push_back(Converted<Real>(level));
-        values.emplace_back(4 * static_cast<std::size_t>(n_control_points));
+        used = KeepUsedControlPoints(*this);
+        values.emplace_back(4 * static_cast<std::size_t>(used.size()));
         for (const auto& level : cascade) values.emplace_back(4 * static_cast<std::size_t>(level.n_rows()));
     }
 
@@ -134,11 +136,13 @@ struct DeformerReal<Real>::State {
     const Real* patch() const { return values.back().data(); }
 
     void CopyControl(std::span<const Real> control) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(n_control_points); ++i) CopyControl(control, i);
+        for (Index place = 0; place < used.size(); ++place) CopyControl(control, place);
     }
-    void CopyControl(std::span<const Real> control, std::size_t i) {
-        for (std::size_t c = 0; c < 3; ++c) values[0][4 * i + c] = control[3 * i + c];
-        values[0][4 * i + 3] = 0;
+    void CopyControl(std::span<const Real> control, Index place) {
+        const Real* const from = &control[3 * static_cast<std::size_t>(used[place])];
+        Real* const to = &values[0][4 * static_cast<std::size_t>(place)];
+        std::copy_n(from, 3, to);
+        to[3] = 0;
     }
 
     void Refine() {
@@ -250,7 +254,10 @@ struct DeformerReal<Real>::State {
             if (rows.n_rows() == 0) return;
             for (Index row : r.rows_of_patch[source]) r.rows.Add(row);
         };
-        for (Index i : moved) to_next(0, i);
+        for (Index i : moved) {
+            const Index place = used.PlaceOf(i);
+            if (place != kNoIndex) to_next(0, place);
+        }
         for (std::size_t l = 0; l < cascade.size(); ++l) {
             r.touched[l].Drain([&](Index row) {
                 on_row(l, row);
@@ -287,7 +294,8 @@ struct DeformerReal<Real>::State {
     Far::StencilRows<Real> rows;
     Array<Index> row_points;
     std::vector<OutsidePoint> outside;
-    std::vector<Array<Real>> values;  ///< control points and rows of each level: (n, 4), the last of four unused
+    UsedColumns used;                 ///< the control points that something reads
+    std::vector<Array<Real>> values;  ///< of those, and rows of each level: (n, 4), the last of four unused
     bool has_values = false;
     std::unique_ptr<Relations> relations;
     std::vector<Index> changed;
@@ -328,7 +336,10 @@ std::span<const Index> DeformerReal<Real>::Update(std::span<const Index> moved, 
     s.RequireFit(control_points.size(), points.size());
     s.RequireIndices(moved);
     if (!s.has_values) throw InvalidInput("an update needs a Deform before it");
-    for (Index i : moved) s.CopyControl(control_points, static_cast<std::size_t>(i));
+    for (Index i : moved) {
+        const Index place = s.used.PlaceOf(i);
+        if (place != kNoIndex) s.CopyControl(control_points, place);
+    }
     s.changed.clear();
     const auto take_cell = [&](const auto& cells, Index cell) {
         MoveCell(cells, cell, s.patch(), cells.offsets[cell], cells.offsets[cell + 1], points.data());

@@ -116,7 +116,8 @@ class Embedding {
     /// A file of its own, docs/embedding_file.md byte by byte: an application loads it and deforms at once.
     /// Written beside and renamed. @throws IoError
     void Save(const std::filesystem::path& path) const;
-    /// Checks everything: what comes back can't read out of bounds. @throws IoError naming the file and what is wrong
+    /// Checks everything: what comes back can't read out of bounds. What is kept of it takes memory as the file does,
+    /// whatever number of control points it claims. @throws IoError naming the file and what is wrong
     static Embedding Load(const std::filesystem::path& path);
 
     const EmbeddingTables& tables() const { return tables_; }

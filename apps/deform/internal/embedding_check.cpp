@@ -39,6 +39,7 @@ void RequireRows(const Far::StencilRows<double>& rows, Index n_sources, const ch
 
 template <int kCorners>
 void RequireCells(const EmbeddedCells<kCorners>& cells, Index n_patch_points, const char* what) {
+    Require(cells.corners.size() <= static_cast<std::size_t>(std::numeric_limits<Index>::max()), what);
     RequireOffsets(cells.offsets, cells.points.size(), what);
     Require(cells.corners.size() == kCorners * (cells.offsets.size() - 1) && cells.at.size() == 3 * cells.points.size(),
             what);

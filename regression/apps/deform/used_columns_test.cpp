@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Control points that nothing reads cost nothing, however many there are.
+// Control points that nothing reads cost nothing, of large lattices and in files that claim many.
 #include <solidsubdiv/apps/deform/deformer.h>
 #include <solidsubdiv/apps/deform/internal/used_columns.h>
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 #include "apps/deform/deform_testing.h"
 
@@ -60,6 +62,21 @@ TEST(Deformers, OfFewPointsInALargeLattice_KeepFewControlPoints) {
         Deformer(e).Deform(control, anew);
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(moved[c], anew[c], 1e-13);  // x + 1 - 1 rounds
     }
+}
+
+/// Small embeddings of every kind; the last claims 2^31 - 1 control points in 560 bytes.
+TEST(Deformers, OfTheFuzzersSeeds_TakeNoMoreThanWhatIsInThem) {
+    const std::filesystem::path seeds = SOLIDSUBDIV_SOURCE "/regression/fuzz/corpus/fuzz_embedding";
+    for (const char* name :
+         {"hexes", "hexes_level_0", "tets", "tets_level_2", "rows", "rows_level_0", "many_control_points"}) {
+        const auto e = Embedding::Load(seeds / name);
+        EXPECT_GT(e.n_points(), 0) << name;
+        Deformer deformer(e);
+        EXPECT_LT(deformer.Bytes(), 10000) << name;
+        EXPECT_FALSE(deformer.Affected(std::vector<Index>{0}).empty()) << name;
+        EXPECT_EQ(e.ControlRows(std::vector<Index>{0}).n_rows(), 1) << name;
+    }
+    EXPECT_EQ(Embedding::Load(seeds / "many_control_points").n_control_points(), 2147483647);
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ FfdBox::FfdBox(std::span<const float> points) {
 }
 
 BernsteinFfd::BernsteinFfd(std::span<const float> points) : box_(points), n_(points.size() / 3) {
-    u_.assign(3 * (n_ + kLanes - 1) / kLanes * kLanes + 3 * kLanes, 0);
+    u_.assign(3 * kLanes * ((n_ + kLanes - 1) / kLanes), 0);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t point = i / 3, axis = i % 3;
         u_[kLanes * (3 * (point / kLanes) + axis) + point % kLanes] = (points[i] - box_.low[axis]) / box_.size[axis];

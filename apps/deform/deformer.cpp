@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cascade, then cells and rows. Positions of control and patch points lie at distances of four numbers, so that one
-// load brings one; maps of hexahedra are taken as polynomials, whose coefficients their points share.
+// The cascade, then cells and rows; and who touches whom, for updates.
 #include <solidsubdiv/apps/deform/deformer.h>
 
+#include <solidsubdiv/apps/deform/internal/kernels.h>
 #include <solidsubdiv/apps/deform/internal/touch.h>
 #include <solidsubdiv/apps/deform/internal/used_columns.h>
 #include <solidsubdiv/osd/backends.h>
@@ -18,99 +18,14 @@ using namespace Internal;
 
 namespace {
 
-template <class To, class From>
-Array<To> Converted(const Array<From>& from) {
-    return Array<To>(from.begin(), from.end());
-}
-
 template <class Real>
-Far::StencilRows<Real> Converted(const Far::StencilRows<double>& rows) {
+Far::StencilRows<Real> ConvertedRows(const Far::StencilRows<double>& rows) {
     Far::StencilRows<Real> result;
     result.n_sources = rows.n_sources;
     result.offsets = rows.offsets;
     result.indices = rows.indices;
     result.weights = Converted<Real>(rows.weights);
     return result;
-}
-
-/// EmbeddedCells with coordinates of Real.
-template <class Real, int kCorners>
-struct Cells {
-    Array<Index> corners;
-    Array<Index> offsets;
-    Array<Index> points;
-    Array<Real> at;
-
-    explicit Cells(const EmbeddedCells<kCorners>& cells)
-        : corners(cells.corners),
-          offsets(Converted<Index>(cells.offsets)),
-          points(cells.points),
-          at(Converted<Real>(cells.at)) {}
-    Index n_cells() const { return static_cast<Index>(offsets.size()) - 1; }
-    Offset Bytes() const {
-        return static_cast<Offset>((corners.size() + offsets.size() + points.size()) * sizeof(Index) +
-                                   at.size() * sizeof(Real));
-    }
-};
-
-template <class Real>
-struct Four {
-    typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
-};
-
-/// Reads the positions of a cell's corners.
-template <class Real, int kCorners>
-inline void Load(const Real* patch, const Index* corners, typename Four<Real>::Type* x) {
-    for (int i = 0; i < kCorners; ++i) std::memcpy(&x[i], patch + 4 * static_cast<Offset>(corners[i]), sizeof x[i]);
-}
-
-template <class Real>
-inline void Store(const typename Four<Real>::Type& x, Index point, Real* points) {
-    Real* const to = points + 3 * static_cast<Offset>(point);
-    to[0] = x[0];
-    to[1] = x[1];
-    to[2] = x[2];
-}
-
-/// Moves points [begin, end) of a cell.
-template <class Real>
-void MoveCell(const Cells<Real, 8>& cells, Index cell, const Real* patch, Index begin, Index end, Real* points) {
-    using Vector = typename Four<Real>::Type;
-    Vector x[8];
-    Load<Real, 8>(patch, &cells.corners[8 * static_cast<std::size_t>(cell)], x);
-    // Corners in VTK's order; the map is x0 + u a + v b + w c + uv ab + uw ac + vw bc + uvw abc.
-    const Vector a = x[1] - x[0], b = x[3] - x[0], c = x[4] - x[0];
-    const Vector ab = (x[2] - x[3]) - a, ac = (x[5] - x[4]) - a, bc = (x[7] - x[4]) - b;
-    const Vector abc = ((x[6] - x[7]) - (x[5] - x[4])) - ab;
-    for (Index i = begin; i < end; ++i) {
-        const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
-        const Vector point =
-            (x[0] + at[1] * b + at[2] * (c + at[1] * bc)) + at[0] * ((a + at[1] * ab) + at[2] * (ac + at[1] * abc));
-        Store<Real>(point, cells.points[i], points);
-    }
-}
-
-template <class Real>
-void MoveCell(const Cells<Real, 4>& cells, Index cell, const Real* patch, Index begin, Index end, Real* points) {
-    using Vector = typename Four<Real>::Type;
-    Vector x[4];
-    Load<Real, 4>(patch, &cells.corners[4 * static_cast<std::size_t>(cell)], x);
-    const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
-    for (Index i = begin; i < end; ++i) {
-        const Real* const at = &cells.at[3 * static_cast<std::size_t>(i)];
-        Store<Real>(x[0] + at[0] * a + at[1] * b + at[2] * c, cells.points[i], points);
-    }
-}
-
-/// A row's terms in its order, each product rounded before it is added: the bits of the backends.
-template <class Real>
-void SumRow(const Far::StencilRows<Real>& rows, Index row, const Real* source, typename Four<Real>::Type& sum) {
-    typename Four<Real>::Type x;
-    sum = typename Four<Real>::Type{};
-    for (Offset k = rows.offsets[row]; k < rows.offsets[row + 1]; ++k) {
-        std::memcpy(&x, source + 4 * static_cast<Offset>(rows.indices[k]), sizeof x);
-        sum += x * rows.weights[k];
-    }
 }
 
 }  // namespace
@@ -122,10 +37,10 @@ struct DeformerReal<Real>::State {
           n_control_points(t.n_control_points),
           hexes(t.hexes),
           tets(t.tets),
-          rows(Converted<Real>(t.rows)),
+          rows(ConvertedRows<Real>(t.rows)),
           row_points(t.row_points),
           outside(t.outside) {
-        for (const auto& level : t.cascade) cascade.push_back(Converted<Real>(level));
+        for (const auto& level : t.cascade) cascade.push_back(ConvertedRows<Real>(level));
         used = KeepUsedControlPoints(*this);
         values.emplace_back(4 * static_cast<std::size_t>(used.size()));
         for (const auto& level : cascade) values.emplace_back(4 * static_cast<std::size_t>(level.n_rows()));

@@ -56,7 +56,8 @@ struct EmbedOptions {
     bool limit = false;  ///< embed in the limit (found from that level), not in the level
     Outside outside = Outside::Carry;
     /// [0, infinity], in units of the positions: how far cells carry points. 0: the mean length of the control
-    /// lattice's edges. With infinity they carry everything alike, so that affine maps stay affine outside as well.
+    /// lattice's edges. With infinity they carry everything alike, so that affine maps stay affine outside as well
+    /// (but in the limit where it has no derivative: there the nearest place moves points by its own vector).
     double falloff = 0;
     /// Points so near to a cell, in units of the positions, are held by it: not listed as outside.
     double tolerance = 0;

@@ -151,7 +151,7 @@ TEST_F(CliDeform, FoldedLattices_AreReportedWithTheirCells) {
     WriteMesh("folded.vtu", folded);
     const Outcome outcome = MustRun("deform model.vtu --lattice l0.vtu --to folded.vtu -o out.vtu --json r.json");
     EXPECT_THAT(outcome.err, HasSubstr("folded.vtu: 1 cell is folded or inverted: 0"));
-    EXPECT_EQ(nlohmann::json::parse(ReadText(folder / "r.json"))["states"][0]["folded"], nlohmann::json({0}));
+    EXPECT_EQ(nlohmann::json::parse(ReadText(folder / "r.json"))["states"][0]["folded"].dump(), "[0]");
 }
 
 TEST_F(CliDeform, SolidsAndSchemesOfTets) {

@@ -52,6 +52,10 @@ TEST_F(CliUsage, HelpListsInfoAndRefine) { EXPECT_THAT(Commands(), testing::IsSu
 TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
     std::vector<std::string> commands = Commands();
     commands.insert(commands.begin(), "");
+    MustRun("sample lattice.vtu -o bunny.obj --rate 2");
+    for (const std::string moved : {"moved", "walk1", "walk2", "walk3"}) {
+        MustRun("lattice bunny.obj -o " + moved + ".vtu --levels 1");
+    }
     for (const std::string& command : commands) {
         std::istringstream help(MustRun(command + " --help").out);
         int n_examples = 0;

@@ -4,11 +4,13 @@
 
 #include <solidsubdiv/apps/deform/internal/vector3.h>
 #include <solidsubdiv/far/limit_stencil_table.h>
+#include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/geometry/limit_locator.h>
 #include <solidsubdiv/kit/geometry/locator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SolidSubdiv::Deform::Internal {
 
@@ -29,6 +31,15 @@ Vector3 StepTo(const std::array<Vector3, 3>& columns, const Vector3& missing, do
 double LongestStep(const RefinedLattice& lattice, const EmbedOptions& options) {
     const double cells = options.falloff > 0 ? options.falloff / lattice.mean_edge : 1;
     return std::ldexp(std::max(cells, 1.0), lattice.level());
+}
+
+/// How near limits are searched: a tenth of what an undeformed lattice may move points by, unless rounding of large
+/// coordinates forbids.
+double LimitTolerance(const RefinedLattice& lattice) {
+    const double diagonal = Geometry::BoundingBox(lattice.positions).Diagonal();
+    double largest = 0;
+    for (double x : lattice.positions) largest = std::max(largest, std::abs(x));
+    return std::max(1e-13 * diagonal, 256 * std::numeric_limits<double>::epsilon() * largest);
 }
 
 /// A point that moves.
@@ -210,7 +221,8 @@ PlacedPoints Place(const RefinedLattice& lattice, std::span<const double> points
     Geometry::Location found;
     if (options.limit) {
         Geometry::LimitLocator locator(lattice.refiner, options.scheme, lattice.level(), lattice.positions);
-        found = locator.Locate(points, {.tolerance = options.tolerance, .progress = options.progress});
+        const double tolerance = std::max(options.tolerance, LimitTolerance(lattice));
+        found = locator.Locate(points, {.tolerance = tolerance, .progress = options.progress});
     } else {
         const Geometry::Locator locator(lattice.refiner, lattice.level(), lattice.positions);
         found = locator.Locate(points, {.tolerance = options.tolerance, .progress = options.progress});

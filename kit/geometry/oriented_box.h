@@ -35,9 +35,9 @@ enum class BoxKind {
     /// Along the principal components of the points. Where two of them are equal (to a part in 1e6) they say nothing:
     /// the frame is then the one with the least rectangle across the third; where all are, that of Minimum.
     Oriented,
-    /// The least volume that was found, not a proved minimum: never more than that of the other two. From 126 frames
-    /// on, each is turned about one of its axes after another to the least rectangle of the points as seen along it,
-    /// until no turn helps.
+    /// The least volume that was found, not a proved minimum: never more than that of the other two. From 125 frames on
+    /// (then from those around the best) each is turned about one of its axes after another to the least rectangle of
+    /// the points as seen along it, until no turn helps.
     Minimum
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -35,18 +34,17 @@ std::vector<Vec3> GridDirections() {
     return directions;
 }
 
-/// A frame turned about its axes one after another, in all combinations of five steps of 18 degrees, from -36 to 36:
-/// the same set whichever way the axes point.
-std::vector<Frame> TurnsOf(const Frame& frame) {
-    constexpr int kSteps = 2;
-    const auto turn = [](const Frame& f, std::size_t axis, int step) {
-        const double angle = .5 * std::numbers::pi * step / (2 * kSteps + 1);
-        return TurnAbout(f, axis, std::cos(angle), std::sin(angle));
+/// A frame turned about its axes one after another, by all combinations of up to n steps of an angle (in degrees)
+/// either way: the same set whichever way the axes point.
+std::vector<Frame> TurnsOf(const Frame& frame, double angle, int n) {
+    const auto turn = [&](const Frame& f, std::size_t axis, int step) {
+        const double radians = step * angle / 180 * std::numbers::pi;
+        return TurnAbout(f, axis, std::cos(radians), std::sin(radians));
     };
     std::vector<Frame> frames;
-    for (int i = -kSteps; i <= kSteps; ++i) {
-        for (int j = -kSteps; j <= kSteps; ++j) {
-            for (int k = -kSteps; k <= kSteps; ++k) frames.push_back(turn(turn(turn(frame, 0, i), 1, j), 2, k));
+    for (int i = -n; i <= n; ++i) {
+        for (int j = -n; j <= n; ++j) {
+            for (int k = -n; k <= n; ++k) frames.push_back(turn(turn(turn(frame, 0, i), 1, j), 2, k));
         }
     }
     return frames;
@@ -142,38 +140,39 @@ Frame LeastBox::Turn(Frame frame, std::array<bool, 3> axes) {
     return least;
 }
 
-Frame LeastBox::Find() {
-    std::vector<Frame> frames = TurnsOf(principal_);
-    const std::size_t n = frames.size();
-    Sdc::ParallelFor(static_cast<Offset>(n), 1, [&](Offset begin, Offset end) {
+void LeastBox::Try(const Frame& frame, Candidate& least) const {
+    const double volume = VolumeOf(FindExtremes(points_, origin_, frame));
+    if (volume < kLess * least.volume) least = {frame, volume};
+}
+
+void LeastBox::TryTurns(std::vector<Frame> frames, Candidate& least) {
+    Sdc::ParallelFor(static_cast<Offset>(frames.size()), 1, [&](Offset begin, Offset end) {
         for (Offset i = begin; i < end; ++i) {
             Frame& frame = frames[static_cast<std::size_t>(i)];
             frame = TurnAmongFew(frame, {true, true, true});
         }
     });
-
-    Frame least = kCoordinateAxes;
-    double volume = std::numeric_limits<double>::infinity();
-    const auto try_frame = [&](const Frame& frame) {
-        const double its_volume = VolumeOf(FindExtremes(points_, origin_, frame));
-        if (!(its_volume < kLess * volume)) return;
-        least = frame;
-        volume = its_volume;
-    };
-    try_frame(kCoordinateAxes);
-    try_frame(principal_);
     // The most promising first; with what has joined in meanwhile. What is no less among few is not among all.
     for (int i = 0; i < kMostFinalists; ++i) {
-        std::vector<double> promises(n);
+        std::vector<double> promises(frames.size());
         std::transform(frames.begin(), frames.end(), promises.begin(),
                        [&](const Frame& frame) { return VolumeAmongFew(frame); });
         const auto best = std::min_element(promises.begin(), promises.end());
-        if (*best >= (1 - 1e-9) * volume) break;
+        if (*best >= (1 - 1e-9) * least.volume) return;
         Frame& frame = frames[static_cast<std::size_t>(best - promises.begin())];
         frame = Turn(frame, {true, true, true});
-        try_frame(frame);
+        Try(frame, least);
     }
-    return Turn(least, {true, true, true});
+}
+
+Frame LeastBox::Find() {
+    Candidate least;
+    Try(kCoordinateAxes, least);
+    Try(principal_, least);
+    TryTurns(TurnsOf(principal_, 18, 2), least);  // a quarter turn is five steps
+    // Round shapes have many boxes of nearly the same volume near each other.
+    for (double angle : {6., 2., .6}) TryTurns(TurnsOf(least.frame, angle, 1), least);
+    return Turn(least.frame, {true, true, true});
 }
 
 }  // namespace SolidSubdiv::Geometry::Internal

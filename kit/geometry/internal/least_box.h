@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,15 @@ class LeastBox {
     Frame Turn(Frame frame, std::array<bool, 3> axes);
 
   private:
+    struct Candidate {
+        Frame frame = kCoordinateAxes;
+        double volume = std::numeric_limits<double>::infinity();
+    };
+
+    /// Takes the place of the least if its box around all points is smaller.
+    void Try(const Frame& frame, Candidate& least) const;
+    /// The same with frames that turns make of these.
+    void TryTurns(std::vector<Frame> frames, Candidate& least);
     double VolumeOf(std::span<const Extremes> reach) const;
     double VolumeAmongFew(const Frame& frame) const;
     Frame TurnAmongFew(Frame frame, std::array<bool, 3> axes) const;

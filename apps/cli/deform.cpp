@@ -21,7 +21,8 @@ Work AddDeform(CLI::App& command) {
     CLI::Option* lattice =
         command.add_option("--lattice", o.lattice, "the control lattice around the model, before it moves")
             ->option_text("L0");
-    command.add_option("--to", o.to, "the same lattice, moved; several make a sequence")->option_text("L1 ...");
+    CLI::Option* to =
+        command.add_option("--to", o.to, "the same lattice, moved; several make a sequence")->option_text("L1 ...");
     command
         .add_option("-o,--output", o.output,
                     "the deformed model; of a sequence OUT_0001, OUT_0002 ...;\nthe extension chooses the format")
@@ -54,6 +55,21 @@ Work AddDeform(CLI::App& command) {
                                         "keep where the vertices lie, for --embedding and for "
                                         "applications")
                             ->option_text("FILE");
+    CLI::Option* drag =
+        command
+            .add_option(
+                "--drag", o.drag,
+                "instead of --to: lines 'vertex x y z', where vertices of the model go;\nthe control points follow by "
+                "the least change")
+            ->option_text("FILE")
+            ->excludes(to)
+            ->needs(lattice);
+    command.add_flag("--preserve-volume", o.preserve_volume, "--drag: keep the volume of the model, a closed surface")
+        ->needs(drag);
+    command.add_option("--lock", o.lock, "--drag: control points that stay")->option_text("I ...")->needs(drag);
+    command.add_option("--save-lattice", o.save_lattice, "--drag: write the moved lattice")
+        ->option_text("FILE")
+        ->needs(drag);
     command
         .add_option("--embedding", o.embedding,
                     "instead of --lattice: an embedding saved before, with its scheme and "
@@ -80,6 +96,7 @@ Work AddDeform(CLI::App& command) {
         "\n\nExamples:\n"
         "  solidsubdiv lattice bunny.obj -o box.vtu --levels 1\n"
         "  solidsubdiv deform bunny.obj --lattice box.vtu --to moved.vtu -o deformed.obj\n"
+        "  solidsubdiv deform bunny.obj --lattice box.vtu --drag ears.txt -o dragged.obj --picture dragged.png\n"
         "  solidsubdiv deform bunny.obj --lattice box.vtu --to walk1.vtu walk2.vtu walk3.vtu -o walk.obj --json -");
     return [options](Session& session) { RunDeform(*options, session); };
 }

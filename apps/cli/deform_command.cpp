@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include <solidsubdiv/apps/cli/drag_targets.h>
+#include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/model_lattice.h>
 #include <solidsubdiv/apps/cli/model_normals.h>
 #include <solidsubdiv/apps/deform/deformer.h>
@@ -56,7 +58,7 @@ class DeformCommand {
             LoadEmbedding();
         }
         TellOutside();
-        if (!options_.to.empty()) Deform();
+        if (!outputs_.empty()) Deform();
         if (!picture_.empty()) WritePicture();
         json_["bytes"] = {{"embedding", embedding_->tables().Bytes()}};
         json_["seconds"] = session_.Seconds();
@@ -67,7 +69,7 @@ class DeformCommand {
   private:
     /// The name of the result of the i-th of several moved lattices.
     std::string OutputName(std::size_t i) const {
-        if (options_.to.size() == 1) return options_.output;
+        if (options_.to.size() <= 1) return options_.output;
         const std::filesystem::path path(options_.output);
         std::string number = std::to_string(i + 1);
         number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
@@ -82,10 +84,11 @@ class DeformCommand {
         if (o.lattice.empty() == o.embedding.empty()) {
             throw UsageError("name the lattice that the model lies in: --lattice, or --embedding of an earlier run");
         }
-        if (o.to.empty() != o.output.empty()) {
-            throw UsageError(o.to.empty() ? "-o needs moved lattices: --to" : "--to needs a name for its result: -o");
+        const bool moves = !o.to.empty() || !o.drag.empty();
+        if (moves == o.output.empty()) {
+            throw UsageError(moves ? "a deformed model needs a name: -o" : "-o needs moved lattices, --to, or --drag");
         }
-        if (o.to.empty() && o.save_embedding.empty()) {
+        if (!moves && o.save_embedding.empty()) {
             throw UsageError(
                 "nothing to do; name moved lattices with --to and the result with -o, or --save-embedding");
         }
@@ -101,7 +104,13 @@ class DeformCommand {
         } catch (const IoError& error) {
             throw UsageError(error.what());
         }
-        for (std::size_t i = 0; i < o.to.size(); ++i) outputs_.push_back(session_.outputs().Stage(OutputName(i)));
+        for (std::size_t i = 0; moves && i < std::max<std::size_t>(o.to.size(), 1); ++i) {
+            outputs_.push_back(session_.outputs().Stage(OutputName(i)));
+        }
+        if (!o.save_lattice.empty()) {
+            if (!Io::FormatOf(o.save_lattice).solids) throw UsageError(o.save_lattice + ": can't hold a lattice");
+            saved_lattice_ = session_.outputs().Stage(o.save_lattice);
+        }
         if (!o.save_embedding.empty()) saved_ = session_.outputs().Stage(o.save_embedding);
         if (!o.picture.empty()) picture_ = session_.outputs().Stage(o.picture);
     }
@@ -215,18 +224,24 @@ class DeformCommand {
     void Deform() {
         SolidSubdiv::Deform::Deformer deformer(*embedding_);
         std::vector<double> points(3 * static_cast<std::size_t>(embedding_->n_points()));
-        for (std::size_t i = 0; i < options_.to.size(); ++i) {
+        for (std::size_t i = 0; i < outputs_.size(); ++i) {
             session_.Stage("deform");
-            Report(session_.progress(), "deform", static_cast<double>(i) / static_cast<double>(options_.to.size()));
-            moved_lattice_ = ReadMoved(options_.to[i]);
+            Report(session_.progress(), "deform", static_cast<double>(i) / static_cast<double>(outputs_.size()));
+            Json state = {{"output", OutputName(i)}};
+            if (options_.drag.empty()) {
+                moved_lattice_ = ReadMoved(options_.to[i]);
+                state["to"] = options_.to[i];
+            } else {
+                Drag(state);
+            }
             deformer.Deform(moved_lattice_.positions, points);
             deformed_ = model_;
             deformed_.positions.assign(points.begin(),
                                        points.begin() + static_cast<std::ptrdiff_t>(model_.positions.size()));
-            Json state = {{"to", options_.to[i]}, {"output", OutputName(i)}};
             if (lattice_) {
                 state["folded"] = lattice_->FoldedCells(moved_lattice_.positions);
-                TellFolded(options_.to[i], state["folded"].get<std::vector<Index>>());
+                TellFolded(options_.drag.empty() ? options_.to[i] : "the lattice after " + options_.drag,
+                           state["folded"].get<std::vector<Index>>());
             }
             TellLargest(state);
             session_.Stage("write");
@@ -243,6 +258,42 @@ class DeformCommand {
             json_["states"].push_back(std::move(state));
             AddOutput("model", OutputName(i), outputs_[i]);
         }
+    }
+
+    /// Moves the lattice by the least change that brings dragged vertices to their targets.
+    void Drag(Json& state) {
+        const auto targets = ReadDragTargets(options_.drag, model_.topology.n_vertices);
+        const std::vector<Index> triangles = options_.preserve_volume ? SurfaceTriangles(model_) : std::vector<Index>();
+        moved_lattice_ = lattice_->mesh();
+        const auto result = About(options_.drag, [&] {
+            return SolidSubdiv::Deform::Drag(
+                *embedding_, moved_lattice_.positions, targets,
+                {.locked = options_.lock, .preserve_volume = options_.preserve_volume, .triangles = triangles});
+        });
+        moved_lattice_.positions = result.control_points;
+        state["drag"] = {{"file", options_.drag},
+                         {"targets", targets.size()},
+                         {"moved_control_points", result.moved.size()},
+                         {"largest_residual", result.largest_residual},
+                         {"is_consistent", result.is_consistent},
+                         {"immovable", result.immovable},
+                         {"iterations", result.iterations}};
+        if (options_.preserve_volume) {
+            state["drag"]["volume_before"] = result.volume_before;
+            state["drag"]["volume_after"] = result.volume_after;
+        }
+        if (!result.immovable.empty()) {
+            session_.Note(options_.drag + ": no control point moves " +
+                          Counted(static_cast<Offset>(result.immovable.size()), "vertex", "vertices") + ": " +
+                          FirstOf(result.immovable));
+        }
+        if (!result.is_consistent) {
+            session_.Note(options_.drag + ": not all targets are reached: the farthest is missed by " +
+                          Text(result.largest_residual));
+        }
+        if (saved_lattice_.empty()) return;
+        Io::WriteMesh(saved_lattice_, moved_lattice_, {.keep_octahedra = true, .binary = !options_.ascii});
+        AddOutput("lattice", options_.save_lattice, saved_lattice_);
     }
 
     Io::Mesh ReadMoved(const std::string& file) const {
@@ -301,7 +352,7 @@ class DeformCommand {
     const DeformOptions& options_;
     Session& session_;
     std::vector<std::filesystem::path> outputs_;
-    std::filesystem::path saved_, picture_;
+    std::filesystem::path saved_, saved_lattice_, picture_;
     Io::Mesh model_, deformed_, moved_lattice_;
     std::unique_ptr<ModelLattice> lattice_;
     std::optional<Io::ObjText> text_of_model_;  // where an OBJ file becomes another

@@ -11,13 +11,15 @@
 namespace SolidSubdiv::Cli {
 
 struct DeformOptions {
-    std::string model, lattice, embedding, output, save_embedding, picture;
+    std::string model, lattice, embedding, output, save_embedding, save_lattice, drag, picture;
     std::vector<std::string> to;
     SchemeOptions scheme;
     int levels = 2;
     bool limit = false, keep_octahedra = false, ascii = false;
     std::string outside = "carry";
     double falloff = 0;
+    bool preserve_volume = false;
+    std::vector<Index> lock;
 };
 
 /// Does all of it. @throws UsageError, IoError, InvalidInput, Cancelled

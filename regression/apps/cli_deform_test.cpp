@@ -167,6 +167,51 @@ TEST_F(CliDeform, SolidsAndSchemesOfTets) {
     }
 }
 
+TEST_F(CliDeform, DraggedVertices_GoWhereTheyShould) {
+    WriteText("drag.txt", "# the top\n4 0 0.1 0.75\n0 -.5 -.5 0 2.5\n");
+    const auto json = Json("deform model.vtu --lattice l0.vtu --drag drag.txt -o out.vtu --save-lattice moved.vtu");
+    EXPECT_NEAR(ReadMesh("out.vtu").positions[13], 0.1, 1e-9);
+    EXPECT_NEAR(ReadMesh("out.vtu").positions[14], 0.75, 1e-9);
+    EXPECT_TRUE(json["states"][0]["drag"]["is_consistent"]);
+    EXPECT_EQ(json["states"][0]["drag"]["targets"], 2);
+    MustRun("deform model.vtu --lattice l0.vtu --to moved.vtu -o again.vtu");
+    EXPECT_EQ(ReadMesh("again.vtu").positions, ReadMesh("out.vtu").positions);
+
+    const std::string all = "0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26";
+    const Outcome locked = MustRun("deform model.vtu --lattice l0.vtu --drag drag.txt -o out.vtu --lock " + all);
+    EXPECT_THAT(locked.err, HasSubstr("no control point moves 2 vertices: 0, 4"));
+    EXPECT_EQ(ReadMesh("out.vtu").positions[14], 0.5);
+
+    WriteText("cube.obj",
+              "v -.5 -.5 -.5\nv .5 -.5 -.5\nv .5 .5 -.5\nv -.5 .5 -.5\nv -.5 -.5 .5\nv .5 -.5 .5\nv .5 .5 .5\nv -.5 .5 "
+              ".5\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    WriteText("pull.txt", "6 .8 .7 .9\n");
+    const auto kept = Json("deform cube.obj --lattice l0.vtu --drag pull.txt -o out.obj --preserve-volume");
+    EXPECT_NEAR(kept["states"][0]["drag"]["volume_after"].get<double>(), 1, 1e-9);
+    EXPECT_NEAR(ReadMesh("out.obj").positions[18], 0.8, 1e-9);
+}
+
+TEST_F(CliDeform, BadDrags_AreRefusedWithTheirLine) {
+    const auto error = [&](const std::string& text) {
+        WriteText("drag.txt", text);
+        return ErrorOf("deform model.vtu --lattice l0.vtu --drag drag.txt -o out.vtu");
+    };
+    EXPECT_THAT(error(""), HasSubstr("drag.txt: has no targets"));
+    EXPECT_THAT(error("# nothing\n\n"), HasSubstr("has no targets"));
+    EXPECT_THAT(error("0 0 0 0\n5 0 0 0\n"), HasSubstr("line 2: there is no vertex 5; the model has 5"));
+    EXPECT_THAT(error("-1 0 0 0\n"), HasSubstr("no vertex -1"));
+    EXPECT_THAT(error("0 0 0\n"), HasSubstr("three coordinates"));
+    EXPECT_THAT(error("0 0 0 x\n"), HasSubstr("three coordinates"));
+    EXPECT_THAT(error("0 0 0 0 0\n"), HasSubstr("above 0"));
+    EXPECT_THAT(error("0 0 0 0 1 1\n"), HasSubstr("nothing may follow"));
+    EXPECT_THAT(error("0 0 0 nan\n"), HasSubstr("drag.txt: "));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --drag nowhere.txt -o out.vtu"), HasSubstr("nowhere.txt"));
+    WriteText("drag.txt", "0 0 0 0\n");
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --drag drag.txt --lock 99 -o out.vtu"), HasSubstr("99"));
+    EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu --drag drag.txt --to l0.vtu -o out.vtu", 2),
+                HasSubstr("--drag"));
+}
+
 TEST_F(CliDeform, BadUsage_IsRefused) {
     EXPECT_THAT(ErrorOf("deform model.vtu --to l0.vtu -o out.vtu", 2), HasSubstr("--lattice"));
     EXPECT_THAT(ErrorOf("deform model.vtu --lattice l0.vtu", 2), HasSubstr("nothing to do"));

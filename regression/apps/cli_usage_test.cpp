@@ -53,6 +53,7 @@ TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
     std::vector<std::string> commands = Commands();
     commands.insert(commands.begin(), "");
     MustRun("sample lattice.vtu -o bunny.obj --rate 2");
+    WriteText("ears.txt", "0 0.1 0.2 0.1\n");
     for (const std::string moved : {"moved", "walk1", "walk2", "walk3"}) {
         MustRun("lattice bunny.obj -o " + moved + ".vtu --levels 1");
     }

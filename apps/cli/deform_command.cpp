@@ -339,9 +339,9 @@ class DeformCommand {
         session_.Stage("picture");
         const Io::Mesh* const lattice = lattice_ ? &lattice_->mesh() : nullptr;
         std::vector<Picture::DeformationState> states{{&model_, lattice, "model in its lattice"}};
-        if (!options_.to.empty()) {
-            states.push_back(
-                {&deformed_, &moved_lattice_, options_.to.size() == 1 ? "deformed" : "last of the sequence"});
+        if (!outputs_.empty()) {
+            states.push_back({&deformed_, lattice ? &moved_lattice_ : nullptr,
+                              outputs_.size() == 1 ? "deformed" : "last of the sequence"});
         }
         Picture::WritePng(picture_, Picture::DeformationPicture(states, {}, session_.progress()));
         AddOutput("picture", options_.picture, picture_);

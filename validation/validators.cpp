@@ -96,6 +96,10 @@ constexpr std::array kValidators = {
               "sums of 64 weights: a few units of round-off (2e-16), and as much again for coordinates found by steps "
               "of Newton's, times how much the deformation stretches (some ten times)",
               ValidateFfdRegular},
+    Validator{"ffd-levels",
+              "editing sessions on models in octree and shrunken lattices: changes of level, down, up and out, move no "
+              "vertex, over the model's size",
+              1e-10, "what is asked for; rounding of positions leaves 1e-15", ValidateFfdLevels},
     Validator{"lattice-counts",
               "octree lattices: of one cell 1, 8, .. 32768 cells, as published; of models the cells that a count of "
               "their vertices finds, each once, with as many control points as they have corners",

@@ -69,6 +69,7 @@ Findings ValidateCounts(const Context& context);
 Findings ValidateDiagonals(const Context& context);
 Findings ValidateFfdLaws(const Context& context);
 Findings ValidateFfdRegular(const Context& context);
+Findings ValidateFfdLevels(const Context& context);
 Findings ValidateLatticeCounts(const Context& context);
 Findings ValidateLimitPlaces(const Context& context);
 Findings ValidateLimitSurfaces(const Context& context);

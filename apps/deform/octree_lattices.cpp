@@ -148,7 +148,8 @@ Cut CutOf(std::string_view name) {
     if (name == "none") return Cut::None;
     if (name == "vertices") return Cut::Vertices;
     if (name == "triangles") return Cut::Triangles;
-    throw InvalidInput("there is no cut '" + std::string(name) + "'; there are none, vertices, triangles");
+    if (name == "outside") return Cut::Outside;
+    throw InvalidInput("there is no cut '" + std::string(name) + "'; there are none, vertices, triangles, outside");
 }
 
 void OctreeOptions::Validate() const {
@@ -205,7 +206,7 @@ LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<co
     } else {
         InsertPoints(grid, vertices, finest);
     }
-    if (options.cut == Cut::Triangles && !triangles.empty()) {
+    if ((options.cut == Cut::Triangles || options.cut == Cut::Outside) && !triangles.empty()) {
         double largest = 0;
         for (double x : points) largest = std::max(largest, std::abs(x));
         GridPoint tolerance;
@@ -220,10 +221,15 @@ LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<co
             InsertTriangles(grid, vertices, triangles, tolerance, finest);
         }
     }
-    finest.Number();
+    if (options.cut == Cut::Outside) {
+        Report(options.progress, "enclosed cells", .4);
+        InsertEnclosed(grid, finest);
+    }
+    std::vector<Offset> n_cells(n_levels);
+    n_cells.back() = finest.Number();
+    RequireBytes(n_cells, options.max_bytes);  // before there are as many of anything
     const auto places = PlacesOfLevels(finest, options.levels);
-    std::vector<Offset> n_cells;
-    for (const auto& its : places) n_cells.push_back(static_cast<Offset>(its.size()));
+    for (std::size_t i = 0; i < n_levels; ++i) n_cells[i] = static_cast<Offset>(places[i].size());
     RequireBytes(n_cells, options.max_bytes);
 
     Report(options.progress, "lattices", .6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hierarchy of lattices around a model: its box, and the box split again and again, without the cells that hold
-// nothing of the model.
+// nothing of the model or are outside of it.
 //
 //     const auto hierarchy = Deform::MakeOctreeLattices(model.positions, model.triangles, {.levels = 4});
 //     const Deform::ControlLattice& lattice = hierarchy.levels[4].lattice;
@@ -35,13 +35,18 @@ namespace SolidSubdiv::Deform {
 
 /// Which cells stay.
 enum class Cut {
-    None,      ///< all: 8^i
-    Vertices,  ///< those with a vertex of the model. On a face between two cells it is in the upper one, on the box's
-               ///< own faces in the last
-    Triangles  ///< those with a vertex or any part of a triangle. Cells that are touched within rounding count
+    None,       ///< all: 8^i
+    Vertices,   ///< those with a vertex of the model. On a face between two cells it is in the upper one, on the box's
+                ///< own faces in the last
+    Triangles,  ///< those with a vertex or any part of a triangle. Cells that are touched within rounding count
+    /// These, and those that they enclose: all that nobody reaches from outside the box who goes through faces of cells
+    /// that are not touched. So closed models are filled; those with a hole that a cell fits through, or cut open by
+    /// the box of a region, lose their inside like with Triangles. The finest grid decides: cells of other levels stay
+    /// where a part of them does
+    Outside
 };
 
-/// "none", "vertices" or "triangles". @throws InvalidInput
+/// "none", "vertices", "triangles" or "outside". @throws InvalidInput
 Cut CutOf(std::string_view name);
 
 struct OctreeOptions {
@@ -88,7 +93,7 @@ struct LatticeHierarchy {
 /// them stay. Each level is shrunk by itself: its control points are no longer the octree rule of those before.
 ///
 /// Cost: linear in points, cells and, for cuts by triangles, the cells that they touch; and 0.4 bytes of scratch for
-/// every cell that the finest grid has without cuts: 0.4 GB at level 10.
+/// every cell that the finest grid has without cuts: 0.4 GB at level 10. Cutting what is outside visits all of these.
 /// @throws InvalidInput where there is no point (in the region), one is not finite or beyond 1e75, a triangle names a
 /// point that is not there, or lattices would not fit; Cancelled
 LatticeHierarchy MakeOctreeLattices(std::span<const double> points, std::span<const Index> triangles,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points go to their cells, triangles down the octree from the least cell that has them whole.
+// Points go to their cells, triangles down the octree from the least cell that has them whole; what is outside is
+// reached in layers.
 #include <solidsubdiv/apps/deform/internal/octree_cells.h>
 
 #include <algorithm>
@@ -12,17 +13,18 @@ namespace SolidSubdiv::Deform::Internal {
 
 namespace {
 
-constexpr Offset kTask = 1024;  // triangles
+constexpr Offset kTask = 1024;                 // triangles
+constexpr std::uint32_t kXBits = 0x09249249u;  // of places on the curve; y and z have the bits next to them
 
 /// Ten bits, two zeros between each and the next; and back.
 std::uint32_t Spread(std::uint32_t x) {
     x = (x | x << 16) & 0x030000FFu;
     x = (x | x << 8) & 0x0300F00Fu;
     x = (x | x << 4) & 0x030C30C3u;
-    return (x | x << 2) & 0x09249249u;
+    return (x | x << 2) & kXBits;
 }
 std::uint32_t Gather(std::uint32_t x) {
-    x &= 0x09249249u;
+    x &= kXBits;
     x = (x | x >> 2) & 0x030C30C3u;
     x = (x | x >> 4) & 0x0300F00Fu;
     x = (x | x >> 8) & 0x030000FFu;
@@ -138,6 +140,41 @@ void InsertTriangles(const Grid& grid, std::span<const GridPoint> points, std::s
     });
     for (const auto& its : found) {
         for (std::uint32_t place : its) cells.Insert(place);
+    }
+}
+
+void InsertEnclosed(const Grid& grid, RankedBits& cells) {
+    RankedBits closed = cells;  // with those that have been reached
+    std::vector<std::uint32_t> layer, next;
+    const auto reach = [&](std::uint32_t place) {
+        if (closed.Has(place)) return;
+        closed.Insert(place);
+        next.push_back(place);
+    };
+    for (Index i = 0; i < grid.n(); ++i) {
+        for (Index j = 0; j < grid.n(); ++j) {
+            for (Index side : {0, grid.n() - 1}) {
+                for (const GridPlace& cell : {GridPlace{side, i, j}, {i, side, j}, {i, j, side}}) {
+                    reach(CurvePlace(cell));
+                }
+            }
+        }
+    }
+    const std::uint32_t all = static_cast<std::uint32_t>(grid.n_cells() - 1);
+    while (!next.empty()) {  // layers are surfaces: less waits than in a search that goes deep first
+        layer.swap(next);
+        next.clear();
+        for (std::uint32_t place : layer) {
+            for (std::uint32_t axis : {all & kXBits, all & kXBits << 1, all & kXBits << 2}) {
+                const std::uint32_t at = place & axis, others = place & ~axis;
+                // One step along the axis: carries and borrows run through the bits of the others.
+                if (at != axis) reach(others | (((place | ~axis) + 1) & axis));
+                if (at != 0) reach(others | ((at - 1) & axis));
+            }
+        }
+    }
+    for (std::uint64_t i = 0; i < grid.n_cells(); ++i) {
+        if (!closed.Has(i)) cells.Insert(i);
     }
 }
 

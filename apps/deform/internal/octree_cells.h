@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which cells of a grid in a box hold parts of a model, by their places on a Z curve.
+// Which cells of a grid in a box hold parts of a model or are enclosed by it, by their places on a Z curve.
 #pragma once
 
 #include <array>
@@ -43,6 +43,9 @@ void InsertPoints(const Grid& grid, std::span<const GridPoint> points, RankedBit
 /// Triangles (n, 3) name points. Parallel; the same for any number of threads.
 void InsertTriangles(const Grid& grid, std::span<const GridPoint> points, std::span<const Index> triangles,
                      const GridPoint& tolerance, RankedBits& cells);
+
+/// Inserts the cells that cannot be reached from outside the grid through faces of cells that are not in yet.
+void InsertEnclosed(const Grid& grid, RankedBits& cells);
 
 /// Whether a triangle and the box of a centre and half its sides have a point in common: true unless an axis parts
 /// them.

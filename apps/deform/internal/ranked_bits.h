@@ -16,6 +16,7 @@ class RankedBits {
     explicit RankedBits(std::uint64_t bound) : words_((bound + 63) / 64), before_(words_.size()) {}
 
     void Insert(std::uint64_t i) { words_[i / 64] |= std::uint64_t{1} << i % 64; }
+    bool Has(std::uint64_t i) const { return (words_[i / 64] >> i % 64 & 1) != 0; }
     /// After the last Insert. Returns how many there are.
     Index Number() {
         std::uint32_t n = 0;

@@ -15,7 +15,7 @@ using Geometry::BoxKind;
 using Place = std::array<Index, 3>;
 using Point = std::array<double, 3>;
 constexpr BoxKind kBoxes[] = {BoxKind::AxisAligned, BoxKind::Oriented, BoxKind::Minimum};
-constexpr Cut kCuts[] = {Cut::None, Cut::Vertices, Cut::Triangles};
+constexpr Cut kCuts[] = {Cut::None, Cut::Vertices, Cut::Triangles, Cut::Outside};
 
 LatticeHierarchy Make(const Model& model, const OctreeOptions& options) {
     return MakeOctreeLattices(model.points, model.triangles, options);
@@ -234,7 +234,7 @@ TEST(OctreeLattices, NeitherTheOrderOfTheModelNorThreadsMatterByABit) {
     for (BoxKind box : kBoxes) {
         for (Cut cut : kCuts) {
             OctreeOptions options{.box = box, .levels = 4, .cut = cut};
-            options.shrink = cut == Cut::Vertices;
+            options.shrink = cut == Cut::Vertices || cut == Cut::Outside;
             const auto h = Make(model, options);
             EXPECT_TRUE(SameHierarchy(h, Make(other, options)));
             const Sdc::ThreadLimit one(1);

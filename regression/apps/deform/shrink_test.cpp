@@ -40,7 +40,7 @@ std::vector<Model> ModelsToShrink() {
 TEST(Shrink, CellsStayPositiveAndHoldTheModel) {
     for (const Model& model : ModelsToShrink()) {
         for (BoxKind box : {BoxKind::AxisAligned, BoxKind::Oriented}) {
-            for (Cut cut : {Cut::None, Cut::Vertices, Cut::Triangles}) {
+            for (Cut cut : {Cut::None, Cut::Vertices, Cut::Triangles, Cut::Outside}) {
                 for (double offset : {0., .02, 10.}) {
                     const OctreeOptions options{.box = box, .levels = 3, .cut = cut, .shrink = true, .offset = offset};
                     const auto h = MakeOctreeLattices(model.points, model.triangles, options);

@@ -23,7 +23,7 @@ using Place = std::array<Index, 3>;
 std::vector<std::pair<std::string, LatticeLevel>> Levels() {
     std::vector<std::pair<std::string, LatticeLevel>> levels;
     for (const Model& model : Models()) {
-        for (Cut cut : {Cut::None, Cut::Vertices, Cut::Triangles}) {
+        for (Cut cut : {Cut::None, Cut::Vertices, Cut::Triangles, Cut::Outside}) {
             const auto h = MakeOctreeLattices(model.points, model.triangles,
                                               {.box = Geometry::BoxKind::Oriented, .levels = 3, .cut = cut});
             for (const LatticeLevel& level : h.levels) levels.emplace_back(model.name, level);

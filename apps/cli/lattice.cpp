@@ -33,7 +33,8 @@ using SolidSubdiv::Deform::LatticeLevel;
 
 struct LatticeOptions {
     std::string model, output, hierarchy, picture;
-    std::string kind = "octree", box = "aabb", cut = "vertices";
+    std::string kind = "octree", box = "aabb";
+    std::string cut;  ///< empty: what suits the kind
     int levels = 2;
     double offset = 0, padding = 0;
     std::vector<double> region, split_region;
@@ -84,9 +85,11 @@ class LatticeCommand {
   private:
     SolidSubdiv::Deform::OctreeOptions Settings() {
         const LatticeOptions& o = options_;
+        // Octahedra need full surroundings.
+        const std::string cut = !o.cut.empty() ? o.cut : o.kind == "tet" ? "outside" : "vertices";
         json_["settings"] = {{"kind", o.kind},
                              {"box", o.box},
-                             {"cut", o.cut},
+                             {"cut", cut},
                              {"levels", o.levels},
                              {"offset", o.offset},
                              {"padding", o.padding},
@@ -94,7 +97,7 @@ class LatticeCommand {
         SolidSubdiv::Deform::OctreeOptions how;
         how.box = Geometry::BoxKindOf(o.box);
         how.levels = o.levels;
-        how.cut = SolidSubdiv::Deform::CutOf(o.cut);
+        how.cut = SolidSubdiv::Deform::CutOf(cut);
         how.padding = o.padding;
         how.shrink = o.kind == "shrink";
         how.offset = o.offset;
@@ -296,9 +299,10 @@ Work AddLattice(CLI::App& command) {
     command
         .add_option("--cut", o.cut,
                     "which cells stay: vertices: those with a vertex of the model;\ntriangles: those that the surface "
-                    "meets; none: all;\ndefault vertices")
+                    "meets; outside: these and what\nthey enclose, so closed models are filled; none: all;\ndefault "
+                    "vertices, for tet outside")
         ->option_text("WHAT")
-        ->check(CLI::IsMember({"vertices", "triangles", "none"}));
+        ->check(CLI::IsMember({"vertices", "triangles", "outside", "none"}));
     command
         .add_option("--offset", o.offset, "shrink: how far before the model the border stays, in its\nunit; default 0")
         ->option_text("D")
@@ -333,7 +337,7 @@ Work AddLattice(CLI::App& command) {
         "\n\nExamples:\n"
         "  solidsubdiv lattice bunny.obj -o box.vtu --levels 1\n"
         "  solidsubdiv lattice bunny.obj -o close.vtu --kind shrink --levels 3 --offset 0.01 --box obb\n"
-        "  solidsubdiv lattice bunny.obj -o tets.vtu --kind tet --levels 3 --cut triangles");
+        "  solidsubdiv lattice bunny.obj -o tets.vtu --kind tet --levels 3");
     return [options](Session& session) { LatticeCommand(*options, session).Run(); };
 }
 

@@ -124,6 +124,33 @@ TEST_F(CliLattice, ARegionTakesAPartOfTheModel) {
     EXPECT_GT(json["outside"]["count"], 0);
 }
 
+TEST_F(CliLattice, TetsFillClosedModels_WithOctahedraInside) {
+    const auto json = Json("lattice sphere.obj -o tets.vtu --kind tet --levels 4");
+    EXPECT_EQ(json["settings"]["cut"], "outside");
+    const auto skin = Json("lattice sphere.obj -o skin.vtu --kind tet --levels 4 --cut vertices");
+    EXPECT_EQ(skin["tet_lattice"]["octahedra"], 0);
+    // One at least around every odd corner of the grid that is in the model, whose faces are .98 away from its middle.
+    int n_odd_inside = 0;
+    for (int i = 0; i < 17 * 17 * 17; ++i) {
+        const int x = i % 17 - 8, y = i / 17 % 17 - 8, z = i / 289 - 8;
+        n_odd_inside += (x + y + z) % 2 != 0 && std::hypot(x, y, z) / 8 < .98;
+    }
+    EXPECT_GE(json["tet_lattice"]["octahedra"], n_odd_inside);
+    EXPECT_EQ(ReadMesh("tets.vtu").topology.n_octs(), json["tet_lattice"]["octahedra"]);
+    // Bricks are the same without tets, and only if asked for.
+    EXPECT_EQ(Json("lattice sphere.obj -o all.vtu --levels 4 --cut outside")["levels"], json["levels"]);
+    EXPECT_EQ(Json("lattice sphere.obj -o all.vtu --levels 4")["levels"], skin["levels"]);
+    EXPECT_EQ(Json("lattice sphere.obj -o all.vtu --levels 4")["settings"]["cut"], "vertices");
+}
+
+TEST_F(CliLattice, AFilledLatticeFollowsWithItsInside) {
+    MustRun("lattice sphere.obj -o rest.vtu --levels 4 --cut outside");
+    WriteText("middle.obj", "v 0 0 0\nv .3 .2 .1\np 1 2\n");
+    EXPECT_EQ(Json("deform middle.obj --lattice rest.vtu --to rest.vtu -o same.obj --levels 0")["outside"]["count"], 0);
+    MustRun("lattice sphere.obj -o skin.vtu --levels 4 --cut triangles");
+    EXPECT_EQ(Json("deform middle.obj --lattice skin.vtu --to skin.vtu -o same.obj --levels 0")["outside"]["count"], 2);
+}
+
 TEST_F(CliLattice, OddModelsHaveLattices) {
     WriteText("point.obj", "v 3 4 5\np 1\n");
     WriteText("line.obj", "v 0 0 0\nv 1 2 3\nl 1 2\n");

@@ -39,10 +39,9 @@ enum class Cut {
     Vertices,   ///< those with a vertex of the model. On a face between two cells it is in the upper one, on the box's
                 ///< own faces in the last
     Triangles,  ///< those with a vertex or any part of a triangle. Cells that are touched within rounding count
-    /// These, and those that they enclose: all that nobody reaches from outside the box who goes through faces of cells
-    /// that are not touched. So closed models are filled; those with a hole that a cell fits through, or cut open by
-    /// the box of a region, lose their inside like with Triangles. The finest grid decides: cells of other levels stay
-    /// where a part of them does
+    /// Those of Triangles, and all that cannot be reached from outside the box through faces of other cells. So closed
+    /// models are filled; those with a hole that a cell fits through, or cut open by the box of a region, lose their
+    /// inside like with Triangles. The finest grid decides: cells of other levels stay where a part of them does
     Outside
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws the pictures of the documentation that one run of solidsubdiv can't: the same mesh under several schemes.
 //
-//     solidsubdiv-draw-pictures regression/shapes/demo docs/pictures
+//     solidsubdiv-draw-pictures regression/shapes/demo docs/pictures [MODELS]
+//
+// With a folder of models from elsewhere (README.md) also those of deformations.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "catmull_clark_pictures.h"
+#include "deformation_pictures.h"
 #include "quality_pictures.h"
 #include "sampling_pictures.h"
 
@@ -212,8 +215,8 @@ Image TetsAroundEdge(int n) {
 }  // namespace
 
 int main(int n_arguments, char** arguments) {
-    if (n_arguments != 3) {
-        std::fprintf(stderr, "usage: solidsubdiv-draw-pictures SHAPES OUT\n");
+    if (n_arguments != 3 && n_arguments != 4) {
+        std::fprintf(stderr, "usage: solidsubdiv-draw-pictures SHAPES OUT [MODELS]\n");
         return 2;
     }
     try {
@@ -226,6 +229,11 @@ int main(int n_arguments, char** arguments) {
         WritePng(out / "smooth_tet.png", TetsAroundEdge(5));
         WritePng(out / "butterfly_valence.png", ButterflyValence());
         WritePng(out / "interpolatory.png", InterpolatoryTensions(arguments[1]));
+        if (n_arguments == 4) {
+            DrawDeformations(arguments[3], out);
+        } else {
+            std::printf("skipped deformation_*.png: name a folder with the models that README.md lists\n");
+        }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
         return 1;

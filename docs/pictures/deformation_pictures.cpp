@@ -128,13 +128,13 @@ Image Bison(const Io::Mesh& bison) {
 }
 
 Image PartRow(const Io::Mesh& part) {
-    const auto lattice = Octree(part, {.levels = 3, .cut = Deform::Cut::Triangles, .padding = .02});
+    const auto lattice = Octree(part, {.levels = 4, .cut = Deform::Cut::Triangles, .padding = .02});
     const auto taper = [](Point p) {
         const double scale = 1.7 - 1.4 * (p[2] - .1) / .8;
         for (std::size_t c = 0; c < 2; ++c) p[c] = .5 + scale * (p[c] - .5);
         return p;
     };
-    return Row({part, lattice, "genus 3, level 3"}, taper, "tapered", {.azimuth = 55, .elevation = 22});
+    return Row({part, lattice, "genus 3, level 4"}, taper, "tapered", {.azimuth = 55, .elevation = 22});
 }
 
 /// The shape of a surface's control mesh after two steps.

@@ -3,8 +3,9 @@
 //
 //     Deform::Deformer deformer(embedding);                        // double; DeformerReal<float> in half the memory
 //     deformer.Deform(control_points, model);                      // all control points have moved
+//     const Index moved[] = {7};
 //     control_points[3 * 7] += .1;
-//     for (Index v : deformer.Update({7}, control_points, model)) // one has: what it touches, and nothing else
+//     for (Index v : deformer.Update(moved, control_points, model))  // one has: what it touches, and nothing else
 //         ...
 //
 // Updates give the bits that Deform would. A deformer owns its scratch: one a thread.

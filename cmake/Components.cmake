@@ -44,6 +44,13 @@ if(SOLIDSUBDIV_PICTURES)
   solidsubdiv_component("Embree and libpng (pictures)" SOLIDSUBDIV_HAS_PICTURES "no pictures are written")
 endif()
 
+set(SOLIDSUBDIV_HAS_VOXEL OFF)
+if(SOLIDSUBDIV_VOXEL)
+  find_package(OpenVdbLib QUIET MODULE)
+  set(SOLIDSUBDIV_HAS_VOXEL ${OpenVdbLib_FOUND})
+  solidsubdiv_component("OpenVDB (voxelize)" SOLIDSUBDIV_HAS_VOXEL "apps/voxel and 'voxelize' are not built")
+endif()
+
 if(SOLIDSUBDIV_TOOLS)
   find_package(CLI11 QUIET)
   find_package(nlohmann_json QUIET)

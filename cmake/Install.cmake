@@ -15,6 +15,7 @@ set(package_of_ZLIB::ZLIB ZLIB)
 set(package_of_PNG::PNG PNG)
 set(package_of_Eigen3::Eigen Eigen3)
 set(package_of_SolidSubdiv3rd::embree Embree3)
+set(package_of_SolidSubdiv3rd::openvdb OpenVdbLib)
 
 # Writes into RESULT what a room links: rooms (SolidSubdiv::x) and third-party targets, public and private.
 function(solidsubdiv_links_of room result)

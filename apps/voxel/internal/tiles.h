@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles of 8^3 voxels, what comes near each of them, and what is in it: the part of voxelization that knows no grids.
+//
+// Coordinates are those of voxels: voxel (i, j, k) has its centre there, and edges of length 1. Within a tile voxel
+// (x, y, z) is number 64 x + 8 y + z, as in a leaf of OpenVDB.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <solidsubdiv/sdc/types.h>
+
+namespace SolidSubdiv::Voxel::Internal {
+
+inline constexpr int kTileSide = 8;
+inline constexpr int kTileVoxels = kTileSide * kTileSide * kTileSide;
+
+using Place = std::array<int, 3>;  ///< of a voxel; of a tile its first voxel
+
+/// A solid in the coordinates of voxels: its cells cut into tets, and the triangles of its boundary.
+struct VoxelSolid {
+    std::vector<double> points;    ///< (n, 3)
+    std::vector<Index> tets;       ///< (n, 4)
+    std::vector<Index> triangles;  ///< (n, 3)
+};
+
+/// Which voxels of a tile.
+using VoxelSet = std::array<std::uint64_t, kTileSide>;
+
+inline bool Holds(const VoxelSet& set, int voxel) {
+    return set[static_cast<std::size_t>(voxel) / 64] >> (voxel % 64) & 1;
+}
+
+/// Tiles that the solid, or voxels within `reach` of its boundary, lie in; and for each what comes near it.
+class Tiles {
+  public:
+    /// Keeps a view of the solid. Cost: count, scan, fill; 4 bytes for each tile of the solid's box, and for each tile
+    /// that a tet or a triangle may touch. @pre counts fit (CountTiles)
+    Tiles(const VoxelSolid& solid, double reach);
+
+    /// Tiles of the box around the solid, widened by reach.
+    static double CountTiles(const VoxelSolid& solid, double reach);
+
+    std::span<const Index> near_boundary() const { return near_boundary_; }  ///< with a triangle within reach, perhaps
+    std::span<const Index> others() const { return others_; }                ///< with tets only, perhaps
+    const VoxelSolid& solid() const { return solid_; }
+    Place Origin(Index tile) const;
+
+    /// Squares of the distances to the boundary, where they are less than reach^2; others are larger than that.
+    void SquaredDistances(Index tile, std::span<float, kTileVoxels> squares) const;
+    /// Voxels whose centres some cell holds.
+    VoxelSet Inside(Index tile) const;
+    /// For each voxel the lowest tet that holds its centre, or kNoIndex.
+    void FindOwners(Index tile, std::span<Index, kTileVoxels> tets) const;
+    /// Whether some cell holds the centre of voxel (4, 4, 4): of tiles away from the boundary all are as this one.
+    bool IsMiddleInside(Index tile) const;
+    /// The same of the centres of `fineness`^3 parts of each voxel: how many of them, 0 to fineness^3.
+    void CountInside(Index tile, int fineness, std::span<std::uint16_t, kTileVoxels> counts) const;
+
+  private:
+    struct Near {
+        Array<Offset> offsets{0};
+        Array<Index> items;
+        std::span<const Index> operator[](Index tile) const {
+            return {items.data() + offsets[tile], static_cast<std::size_t>(offsets[tile + 1] - offsets[tile])};
+        }
+    };
+    std::array<std::array<double, 3>, 4> Tet(Index tet, const Place& origin) const;
+    template <int kCorners>
+    Near FindNear(std::span<const Index> elements, double reach) const;
+
+    const VoxelSolid& solid_;
+    double reach_;
+    Place low_{}, n_{};  // in tiles
+    Near triangles_, tets_;
+    std::vector<Index> near_boundary_, others_;
+};
+
+}  // namespace SolidSubdiv::Voxel::Internal

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells and boundary are cut alike.
+#include <solidsubdiv/apps/voxel/internal/voxel_solid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <solidsubdiv/kit/geometry/tessellation_inside.h>
+#include <solidsubdiv/sdc/errors.h>
+
+namespace SolidSubdiv::Voxel::Internal {
+
+namespace {
+
+/// Faces of cells; those in no cell (sheets) bound nothing.
+std::vector<Index> BoundaryTriangles(const Far::TopologyRefiner& refiner, int level) {
+    std::vector<Index> triangles;
+    const auto add = [&](std::span<const Index> face) {
+        const std::size_t n = face.size();
+        const auto low = static_cast<std::size_t>(std::min_element(face.begin(), face.end()) - face.begin());
+        for (std::size_t k = 1; k + 1 < n; ++k) {
+            triangles.insert(triangles.end(), {face[low], face[(low + k) % n], face[(low + k + 1) % n]});
+        }
+    };
+    if (refiner.is_polyhedral()) {
+        const Vtr::PolyhedralLevel& l = refiner.polyhedral_level(level);
+        for (Index f = 0; f < l.n_boundary_faces; ++f) add(l.BoundaryVertices(f));
+    } else {
+        const Far::Level& l = refiner.level(level);
+        for (Index f = 0; f < l.n_boundary_faces; ++f) add(l.BoundaryVertices(f));
+    }
+    return triangles;
+}
+
+using Vec = std::array<double, 3>;
+
+Vec Minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double Det(const Vec& a, const Vec& b, const Vec& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// A hexahedron's weights at coordinates, in VTK's order.
+std::array<double, 8> Trilinear(const Vec& at) {
+    std::array<double, 8> weights;
+    for (std::size_t i = 0; i < 8; ++i) {
+        weights[i] = (i % 4 == 1 || i % 4 == 2 ? at[0] : 1 - at[0]) * (i % 4 >= 2 ? at[1] : 1 - at[1]) *
+                     (i >= 4 ? at[2] : 1 - at[2]);
+    }
+    return weights;
+}
+
+/// The trilinear map and its derivatives.
+struct HexMap {
+    std::array<Vec, 8> corners;
+
+    std::array<Vec, 4> At(const Vec& at) const {
+        std::array<Vec, 4> result{};
+        const auto weights = Trilinear(at);
+        for (std::size_t i = 0; i < 8; ++i) {
+            const double u = i % 4 == 1 || i % 4 == 2 ? 1 : -1, v = i % 4 >= 2 ? 1 : -1, w = i >= 4 ? 1 : -1;
+            const double fu = u > 0 ? at[0] : 1 - at[0], fv = v > 0 ? at[1] : 1 - at[1], fw = w > 0 ? at[2] : 1 - at[2];
+            for (std::size_t c = 0; c < 3; ++c) {
+                result[0][c] += weights[i] * corners[i][c];
+                result[1][c] += u * fv * fw * corners[i][c];
+                result[2][c] += v * fu * fw * corners[i][c];
+                result[3][c] += w * fu * fv * corners[i][c];
+            }
+        }
+        return result;
+    }
+};
+
+/// Coordinates of the corners of a hexahedron.
+constexpr std::array<std::array<double, 3>, 8> kHexCorners = {
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+
+}  // namespace
+
+TetCells::TetCells(const Far::TopologyRefiner& refiner, int level, const VoxelSolid& solid)
+    : refiner_(refiner), level_(level), solid_(solid) {
+    if (!refiner.is_polyhedral()) {
+        n_tets_ = refiner.level(level).n_tets;
+        return;
+    }
+    const Vtr::PolyhedralLevel& l = refiner.polyhedral_level(level);
+    n_hexes_ = l.n_hexes;
+    // Tets of one polyhedron share their first vertex and are a face's corners less two: counted as they were cut.
+    Index next = 6 * n_hexes_;
+    for (Index p = 0; p < l.n_polyhedra(); ++p) {
+        polyhedron_tets_.push_back(next);
+        const Index apex = solid.tets[4 * static_cast<std::size_t>(next)];
+        for (Offset f = l.polyhedra.offsets[p]; f < l.polyhedra.offsets[p + 1]; ++f) {
+            const Offset begin = l.polyhedra.face_vertex_offsets[f], end = l.polyhedra.face_vertex_offsets[f + 1];
+            const auto first = l.polyhedra.face_vertices.begin();
+            if (std::find(first + begin, first + end, apex) == first + end) next += static_cast<Index>(end - begin) - 2;
+        }
+    }
+    polyhedron_tets_.push_back(next);
+}
+
+Index TetCells::CellOf(Index tet) const {
+    if (!refiner_.is_polyhedral()) return tet < n_tets_ ? tet : n_tets_ + (tet - n_tets_) / 4;
+    if (tet < 6 * n_hexes_) return tet / 6;
+    const auto after = std::upper_bound(polyhedron_tets_.begin(), polyhedron_tets_.end(), tet);
+    return n_hexes_ + static_cast<Index>(after - polyhedron_tets_.begin()) - 1;
+}
+
+CellWeights TetCells::At(Index tet, const std::array<double, 3>& point) const {
+    CellWeights result{.cell = CellOf(tet), .n = 4};
+    std::array<Vec, 4> v;
+    for (std::size_t k = 0; k < 4; ++k) {
+        result.vertices[k] = solid_.tets[4 * static_cast<std::size_t>(tet) + k];
+        const double* const p = &solid_.points[3 * static_cast<std::size_t>(result.vertices[k])];
+        v[k] = {p[0] - point[0], p[1] - point[1], p[2] - point[2]};
+    }
+    const double det = Det(Minus(v[1], v[0]), Minus(v[2], v[0]), Minus(v[3], v[0]));
+    result.weights[1] = Det(v[2], v[0], v[3]) / det;
+    result.weights[2] = Det(v[1], v[3], v[0]) / det;
+    result.weights[3] = Det(v[1], v[0], v[2]) / det;
+    result.weights[0] = 1 - result.weights[1] - result.weights[2] - result.weights[3];
+    result.jacobian = det;
+    if (result.cell >= n_hexes_) return result;
+
+    const Index* const corners =
+        &refiner_.polyhedral_level(level_).hex_vertices[8 * static_cast<std::size_t>(result.cell)];
+    HexMap map;
+    Vec at{};
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double* const p = &solid_.points[3 * static_cast<std::size_t>(corners[i])];
+        map.corners[i] = {p[0] - point[0], p[1] - point[1], p[2] - point[2]};
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (result.vertices[k] != corners[i]) continue;
+            for (std::size_t c = 0; c < 3; ++c) at[c] += result.weights[k] * kHexCorners[i][c];
+        }
+    }
+    // Newton from the tet's own coordinates, which are near.
+    for (int step = 0; step < 8; ++step) {
+        const auto [x, du, dv, dw] = map.At(at);
+        result.jacobian = Det(du, dv, dw);
+        if (result.jacobian == 0) break;
+        const Vec move{Det(x, dv, dw) / result.jacobian, Det(du, x, dw) / result.jacobian,
+                       Det(du, dv, x) / result.jacobian};
+        for (std::size_t c = 0; c < 3; ++c) at[c] = std::clamp(at[c] - move[c], -0.5, 1.5);
+        if (std::abs(move[0]) + std::abs(move[1]) + std::abs(move[2]) < 1e-12) break;
+    }
+    result.n = 8;
+    const auto weights = Trilinear(at);
+    for (std::size_t i = 0; i < 8; ++i) {
+        result.vertices[i] = corners[i];
+        result.weights[i] = weights[i];
+    }
+    return result;
+}
+
+VoxelSolid MakeVoxelSolid(const Far::TopologyRefiner& refiner, int level, std::span<const double> positions,
+                          double voxel_size) {
+    if (level < 0 || level > refiner.max_level()) {
+        throw InvalidInput("there is no level " + std::to_string(level) + "; the last is " +
+                           std::to_string(refiner.max_level()));
+    }
+    if (refiner.n_cells(level) == 0) throw InvalidInput("there are no cells to fill voxels with");
+    if (positions.size() != 3 * static_cast<std::size_t>(refiner.n_vertices(level))) {
+        throw InvalidInput(std::to_string(positions.size()) + " coordinates are given for the " +
+                           std::to_string(refiner.n_vertices(level)) + " vertices of level " + std::to_string(level));
+    }
+    VoxelSolid solid;
+    solid.points.reserve(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (!std::isfinite(positions[i])) {
+            throw InvalidInput("vertex " + std::to_string(i / 3) + " has a coordinate that is not finite");
+        }
+        solid.points.push_back(positions[i] / voxel_size);
+    }
+    solid.tets = Geometry::CutIntoTets(refiner, level);
+    solid.triangles = BoundaryTriangles(refiner, level);
+    return solid;
+}
+
+}  // namespace SolidSubdiv::Voxel::Internal

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// A level of a solid in the coordinates of voxels.
+#pragma once
+
+#include <span>
+
+#include <solidsubdiv/apps/voxel/internal/tiles.h>
+#include <solidsubdiv/far/topology_refiner.h>
+
+namespace SolidSubdiv::Voxel::Internal {
+
+/// Where a point of a cell is, as weights of the level's vertices, and the cell.
+struct CellWeights {
+    Index cell = 0;  ///< of the level
+    int n = 0;       ///< 4 or 8
+    std::array<Index, 8> vertices{};
+    std::array<double, 8> weights{};
+    double jacobian = 0;  ///< determinant of the map from the cell's coordinates (far/place.h), in voxels
+};
+
+/// Cells that tets were cut from.
+class TetCells {
+  public:
+    TetCells(const Far::TopologyRefiner& refiner, int level, const VoxelSolid& solid);
+
+    /// Weights at a point that a tet holds: in hexahedra trilinear, in others linear in the tet.
+    CellWeights At(Index tet, const std::array<double, 3>& point) const;
+
+  private:
+    Index CellOf(Index tet) const;
+
+    const Far::TopologyRefiner& refiner_;
+    const int level_;
+    const VoxelSolid& solid_;
+    Index n_hexes_ = 0, n_tets_ = 0;      // of the level, of cells
+    std::vector<Index> polyhedron_tets_;  // of each polyhedron its first tet, and the end
+};
+
+/// @throws InvalidInput where there is no such level or no cell, or a position is not finite
+VoxelSolid MakeVoxelSolid(const Far::TopologyRefiner& refiner, int level, std::span<const double> positions,
+                          double voxel_size);
+
+}  // namespace SolidSubdiv::Voxel::Internal

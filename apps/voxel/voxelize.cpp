@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles become leaves of OpenVDB's trees: made in parallel, put in one after another.
+#include <solidsubdiv/apps/voxel/voxelize.h>
+
+#include <solidsubdiv/apps/voxel/internal/attribute_grids.h>
+#include <solidsubdiv/apps/voxel/internal/tiles.h>
+#include <solidsubdiv/apps/voxel/internal/vdb.h>
+#include <solidsubdiv/apps/voxel/internal/voxel_solid.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace SolidSubdiv::Voxel {
+
+using namespace Internal;
+
+namespace {
+
+using Leaf = openvdb::FloatTree::LeafNodeType;
+static_assert(Leaf::DIM == kTileSide);
+
+openvdb::Coord CoordOf(const Place& p) { return {p[0], p[1], p[2]}; }
+
+openvdb::FloatGrid::Ptr MakeGrid(const char* name, float background, openvdb::GridClass kind, double voxel_size) {
+    auto grid = openvdb::FloatGrid::create(background);
+    grid->setName(name);
+    grid->setGridClass(kind);
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel_size));
+    return grid;
+}
+
+/// Makes leaves of tiles, fill(tile, leaf) of each, and puts them into the tree.
+template <class Fill>
+void AddLeaves(std::span<const Index> tiles_near, const Tiles& tiles, openvdb::FloatTree& tree,
+               const Progress& progress, Fill&& fill) {
+    constexpr Offset kBatch = 1 << 14;  // 32 MB of leaves that are not in the tree yet
+    std::vector<std::unique_ptr<Leaf>> leaves;
+    const auto n = static_cast<Offset>(tiles_near.size());
+    for (Offset first = 0; first < n; first += kBatch) {
+        Report(progress, "voxelize", static_cast<double>(first) / static_cast<double>(n));
+        const Offset n_now = std::min(kBatch, n - first);
+        leaves.clear();
+        leaves.resize(static_cast<std::size_t>(n_now));
+        Sdc::ParallelFor(n_now, 4, [&](Offset begin, Offset end) {
+            for (Offset i = begin; i < end; ++i) {
+                const Index tile = tiles_near[static_cast<std::size_t>(first + i)];
+                auto leaf = std::make_unique<Leaf>(CoordOf(tiles.Origin(tile)), tree.background());
+                leaf->allocate();
+                if (fill(tile, *leaf)) leaves[static_cast<std::size_t>(i)] = std::move(leaf);
+            }
+        });
+        for (auto& leaf : leaves) {
+            if (leaf) tree.addLeaf(leaf.release());
+        }
+    }
+}
+
+/// Tiles away from the boundary are all inside or all outside: whether their middle voxel is.
+std::vector<bool> TilesInside(const Tiles& tiles) {
+    const std::span<const Index> others = tiles.others();
+    std::vector<char> is_inside(others.size());
+    Sdc::ParallelFor(static_cast<Offset>(others.size()), 16, [&](Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i) {
+            is_inside[static_cast<std::size_t>(i)] = tiles.IsMiddleInside(others[static_cast<std::size_t>(i)]);
+        }
+    });
+    return {is_inside.begin(), is_inside.end()};
+}
+
+openvdb::FloatGrid::Ptr MakeLevelSet(const Tiles& tiles, const VoxelizeOptions& options) {
+    const auto background = static_cast<float>(options.half_width * options.voxel_size);
+    const auto size = static_cast<float>(options.voxel_size);
+    auto grid = MakeGrid("surface", background, openvdb::GRID_LEVEL_SET, options.voxel_size);
+    const auto reach_squared = static_cast<float>(options.half_width * options.half_width);
+    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](Index tile, Leaf& leaf) {
+        std::array<float, kTileVoxels> squares;
+        tiles.SquaredDistances(tile, squares);
+        const VoxelSet inside = tiles.Inside(tile);
+        bool differs = false;
+        for (int v = 0; v < kTileVoxels; ++v) {
+            const float square = squares[static_cast<std::size_t>(v)];
+            const bool is_near = square < reach_squared, is_inside = Holds(inside, v);
+            const float distance = is_near ? std::sqrt(square) * size : background;
+            leaf.setValueOnly(static_cast<openvdb::Index>(v), is_inside ? -distance : distance);
+            leaf.setActiveState(static_cast<openvdb::Index>(v), is_near);
+            differs = differs || is_near || is_inside;
+        }
+        return differs;
+    });
+    const std::vector<bool> is_inside = TilesInside(tiles);
+    for (std::size_t i = 0; i < is_inside.size(); ++i) {
+        if (is_inside[i]) grid->tree().addTile(1, CoordOf(tiles.Origin(tiles.others()[i])), -background, false);
+    }
+    grid->tree().prune();
+    return grid;
+}
+
+openvdb::FloatGrid::Ptr MakeFog(const Tiles& tiles, const VoxelizeOptions& options) {
+    constexpr int kFineness = 4;
+    auto grid = MakeGrid("density", 0, openvdb::GRID_FOG_VOLUME, options.voxel_size);
+    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](Index tile, Leaf& leaf) {
+        std::array<std::uint16_t, kTileVoxels> counts;
+        tiles.CountInside(tile, kFineness, counts);
+        bool is_filled = false;
+        for (int v = 0; v < kTileVoxels; ++v) {
+            const int count = counts[static_cast<std::size_t>(v)];
+            leaf.setValueOnly(static_cast<openvdb::Index>(v),
+                              static_cast<float>(count) / (kFineness * kFineness * kFineness));
+            leaf.setActiveState(static_cast<openvdb::Index>(v), count > 0);
+            is_filled = is_filled || count > 0;
+        }
+        return is_filled;
+    });
+    const std::vector<bool> is_inside = TilesInside(tiles);
+    for (std::size_t i = 0; i < is_inside.size(); ++i) {
+        if (is_inside[i]) grid->tree().addTile(1, CoordOf(tiles.Origin(tiles.others()[i])), 1.0f, true);
+    }
+    grid->tree().prune();
+    return grid;
+}
+
+/// Refuses, before any work, boxes of more voxels than coordinates or memory hold.
+void RequireRoom(const VoxelSolid& solid, const VoxelizeOptions& options) {
+    std::array<double, 3> n{};
+    double voxels = 1, largest = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (std::size_t i = c; i < solid.points.size(); i += 3) {
+            low = std::min(low, solid.points[i]);
+            high = std::max(high, solid.points[i]);
+        }
+        n[c] = std::ceil(high - low) + 1;
+        voxels *= n[c];
+        largest = std::max({largest, std::abs(low), std::abs(high)});
+    }
+    const double bytes = 8 * Tiles::CountTiles(solid, options.half_width);
+    const bool fits = largest < 1e9 && bytes < static_cast<double>(options.max_bytes) &&
+                      bytes / 8 < std::numeric_limits<Index>::max();
+    if (fits) return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "voxels of size %g make a box of %.4g x %.4g x %.4g = %.4g of them, too many; "
+                  "choose larger ones",
+                  options.voxel_size, n[0], n[1], n[2], voxels);
+    throw InvalidInput(text);
+}
+
+}  // namespace
+
+Kind KindOf(std::string_view name) {
+    if (name == "level-set") return Kind::LevelSet;
+    if (name == "fog") return Kind::Fog;
+    if (name == "both") return Kind::Both;
+    throw InvalidInput("there is no kind '" + std::string(name) + "' of grids; there are level-set, fog, both");
+}
+
+void VoxelizeOptions::Validate() const {
+    if (!(voxel_size > 0) || !std::isfinite(voxel_size)) {
+        throw InvalidInput("voxel_size is " + std::to_string(voxel_size) + "; it must be above 0, and finite");
+    }
+    if (!(half_width >= 1 && half_width <= 100)) {
+        throw InvalidInput("half_width is " + std::to_string(half_width) + "; it must be 1 to 100 voxels");
+    }
+}
+
+Grids Voxelize(const Far::TopologyRefiner& refiner, int level, std::span<const double> positions,
+               const VoxelizeOptions& options) {
+    options.Validate();
+    for (const Attribute& a : options.attributes) {
+        if (level < 0 || level > refiner.max_level()) break;  // told below
+        const auto n = static_cast<std::size_t>(refiner.n_vertices(level)) * static_cast<std::size_t>(a.width);
+        if ((a.width != 1 && a.width != 3) || a.values.size() != n) {
+            throw InvalidInput("attribute '" + a.name + "' has " + std::to_string(a.values.size()) + " numbers, " +
+                               std::to_string(a.width) + " a vertex; it must have 1 or 3 for each of the " +
+                               std::to_string(refiner.n_vertices(level)) + " vertices");
+        }
+    }
+    InitializeVdb();
+    const VoxelSolid solid = MakeVoxelSolid(refiner, level, positions, options.voxel_size);
+    RequireRoom(solid, options);
+    Grids result;
+    openvdb::GridPtrVec& grids = result.state().grids;
+    if (options.kind != Kind::Fog) grids.push_back(MakeLevelSet(Tiles(solid, options.half_width), options));
+    // Parts of a voxel are less than 0.87 from its centre.
+    const bool wants_inside = !options.attributes.empty() || options.jacobian || options.cell_id || options.level_id;
+    if (options.kind == Kind::LevelSet && !wants_inside) return result;
+    const Tiles tiles(solid, 1);
+    if (options.kind != Kind::LevelSet) grids.push_back(MakeFog(tiles, options));
+    if (wants_inside) {
+        for (auto& grid : MakeAttributeGrids(tiles, refiner, level, options)) grids.push_back(std::move(grid));
+    }
+    return result;
+}
+
+}  // namespace SolidSubdiv::Voxel

@@ -32,7 +32,7 @@ openvdb::FloatGrid::Ptr MakeGrid(const char* name, float background, openvdb::Gr
     return grid;
 }
 
-/// Makes leaves of tiles, fill(tile, leaf) of each, and puts them into the tree.
+/// Makes leaves of tiles, fill(i, tile, leaf) of each, and puts them into the tree.
 template <class Fill>
 void AddLeaves(std::span<const Index> tiles_near, const Tiles& tiles, openvdb::FloatTree& tree,
                const Progress& progress, Fill&& fill) {
@@ -49,7 +49,8 @@ void AddLeaves(std::span<const Index> tiles_near, const Tiles& tiles, openvdb::F
                 const Index tile = tiles_near[static_cast<std::size_t>(first + i)];
                 auto leaf = std::make_unique<Leaf>(CoordOf(tiles.Origin(tile)), tree.background());
                 leaf->allocate();
-                if (fill(tile, *leaf)) leaves[static_cast<std::size_t>(i)] = std::move(leaf);
+                if (fill(static_cast<std::size_t>(first + i), tile, *leaf))
+                    leaves[static_cast<std::size_t>(i)] = std::move(leaf);
             }
         });
         for (auto& leaf : leaves) {
@@ -58,16 +59,11 @@ void AddLeaves(std::span<const Index> tiles_near, const Tiles& tiles, openvdb::F
     }
 }
 
-/// Tiles away from the boundary are all inside or all outside: whether their middle voxel is.
-std::vector<bool> TilesInside(const Tiles& tiles) {
-    const std::span<const Index> others = tiles.others();
-    std::vector<char> is_inside(others.size());
-    Sdc::ParallelFor(static_cast<Offset>(others.size()), 16, [&](Offset begin, Offset end) {
-        for (Offset i = begin; i < end; ++i) {
-            is_inside[static_cast<std::size_t>(i)] = tiles.IsMiddleInside(others[static_cast<std::size_t>(i)]);
-        }
-    });
-    return {is_inside.begin(), is_inside.end()};
+/// Puts what is inside and away from the boundary into the tree.
+void AddTilesInside(const Tiles& tiles, std::span<const std::uint8_t> beside, float value, bool is_active,
+                    openvdb::FloatTree& tree) {
+    for (Index tile : tiles.OthersInside(beside)) tree.addTile(1, CoordOf(tiles.Origin(tile)), value, is_active);
+    tree.prune();
 }
 
 openvdb::FloatGrid::Ptr MakeLevelSet(const Tiles& tiles, const VoxelizeOptions& options) {
@@ -75,10 +71,12 @@ openvdb::FloatGrid::Ptr MakeLevelSet(const Tiles& tiles, const VoxelizeOptions& 
     const auto size = static_cast<float>(options.voxel_size);
     auto grid = MakeGrid("surface", background, openvdb::GRID_LEVEL_SET, options.voxel_size);
     const auto reach_squared = static_cast<float>(options.half_width * options.half_width);
-    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](Index tile, Leaf& leaf) {
+    std::vector<std::uint8_t> beside(tiles.near_boundary().size());
+    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](std::size_t i, Index tile, Leaf& leaf) {
         std::array<float, kTileVoxels> squares;
         tiles.SquaredDistances(tile, squares);
         const VoxelSet inside = tiles.Inside(tile);
+        beside[i] = SidesInside(inside);
         bool differs = false;
         for (int v = 0; v < kTileVoxels; ++v) {
             const float square = squares[static_cast<std::size_t>(v)];
@@ -90,18 +88,16 @@ openvdb::FloatGrid::Ptr MakeLevelSet(const Tiles& tiles, const VoxelizeOptions& 
         }
         return differs;
     });
-    const std::vector<bool> is_inside = TilesInside(tiles);
-    for (std::size_t i = 0; i < is_inside.size(); ++i) {
-        if (is_inside[i]) grid->tree().addTile(1, CoordOf(tiles.Origin(tiles.others()[i])), -background, false);
-    }
-    grid->tree().prune();
+    AddTilesInside(tiles, beside, -background, false, grid->tree());
     return grid;
 }
 
 openvdb::FloatGrid::Ptr MakeFog(const Tiles& tiles, const VoxelizeOptions& options) {
     constexpr int kFineness = 4;
     auto grid = MakeGrid("density", 0, openvdb::GRID_FOG_VOLUME, options.voxel_size);
-    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](Index tile, Leaf& leaf) {
+    std::vector<std::uint8_t> beside(tiles.near_boundary().size());
+    AddLeaves(tiles.near_boundary(), tiles, grid->tree(), options.progress, [&](std::size_t i, Index tile, Leaf& leaf) {
+        beside[i] = SidesInside(tiles.Inside(tile));
         std::array<std::uint16_t, kTileVoxels> counts;
         tiles.CountInside(tile, kFineness, counts);
         bool is_filled = false;
@@ -114,11 +110,7 @@ openvdb::FloatGrid::Ptr MakeFog(const Tiles& tiles, const VoxelizeOptions& optio
         }
         return is_filled;
     });
-    const std::vector<bool> is_inside = TilesInside(tiles);
-    for (std::size_t i = 0; i < is_inside.size(); ++i) {
-        if (is_inside[i]) grid->tree().addTile(1, CoordOf(tiles.Origin(tiles.others()[i])), 1.0f, true);
-    }
-    grid->tree().prune();
+    AddTilesInside(tiles, beside, 1, true, grid->tree());
     return grid;
 }
 
@@ -183,11 +175,11 @@ Grids Voxelize(const Far::TopologyRefiner& refiner, int level, std::span<const d
     RequireRoom(solid, options);
     Grids result;
     openvdb::GridPtrVec& grids = result.state().grids;
-    if (options.kind != Kind::Fog) grids.push_back(MakeLevelSet(Tiles(solid, options.half_width), options));
+    if (options.kind != Kind::Fog) grids.push_back(MakeLevelSet(Tiles(solid, options.half_width, false), options));
     // Parts of a voxel are less than 0.87 from its centre.
     const bool wants_inside = !options.attributes.empty() || options.jacobian || options.cell_id || options.level_id;
     if (options.kind == Kind::LevelSet && !wants_inside) return result;
-    const Tiles tiles(solid, 1);
+    const Tiles tiles(solid, 1, wants_inside);
     if (options.kind != Kind::LevelSet) grids.push_back(MakeFog(tiles, options));
     if (wants_inside) {
         for (auto& grid : MakeAttributeGrids(tiles, refiner, level, options)) grids.push_back(std::move(grid));

@@ -120,14 +120,13 @@ double Tiles::CountTiles(const VoxelSolid& solid, double reach) {
     return n;
 }
 
-Tiles::Tiles(const VoxelSolid& solid, double reach) : solid_(solid), reach_(reach) {
+Tiles::Tiles(const VoxelSolid& solid, double reach, bool wants_others) : solid_(solid), reach_(reach) {
     const auto tiles = BoxOf(solid).TilesWithin(reach);
     low_ = tiles[0];
     for (std::size_t c = 0; c < 3; ++c) n_[c] = tiles[1][c] - tiles[0][c] + 1;
-    triangles_ = FindNear<3>(solid.triangles, reach);
-    tets_ = FindNear<4>(solid.tets, 0.5);  // parts of voxels are asked for too
-    const Index n = n_[0] * n_[1] * n_[2];
-    for (Index tile = 0; tile < n; ++tile) {
+    triangles_ = FindNear<3>(solid.triangles, reach, true);
+    tets_ = FindNear<4>(solid.tets, 0.5, wants_others);  // parts of voxels are asked for too
+    for (Index tile = 0; tile < CountAll(); ++tile) {
         if (!triangles_[tile].empty()) {
             near_boundary_.push_back(tile);
         } else if (!tets_[tile].empty()) {
@@ -137,7 +136,7 @@ Tiles::Tiles(const VoxelSolid& solid, double reach) : solid_(solid), reach_(reac
 }
 
 template <int kCorners>
-Tiles::Near Tiles::FindNear(std::span<const Index> elements, double reach) const {
+Tiles::Near Tiles::FindNear(std::span<const Index> elements, double reach, bool wants_others) const {
     const auto visit = [&](auto&& add) {
         const auto n = static_cast<Index>(elements.size() / kCorners);
         for (Index i = 0; i < n; ++i) {
@@ -149,14 +148,15 @@ Tiles::Near Tiles::FindNear(std::span<const Index> elements, double reach) const
             for (int x = tiles[0][0] - low_[0]; x <= tiles[1][0] - low_[0]; ++x) {
                 for (int y = tiles[0][1] - low_[1]; y <= tiles[1][1] - low_[1]; ++y) {
                     for (int z = tiles[0][2] - low_[2]; z <= tiles[1][2] - low_[2]; ++z) {
-                        add((x * n_[1] + y) * n_[2] + z, i);
+                        const Index tile = (x * n_[1] + y) * n_[2] + z;
+                        if (wants_others || !triangles_[tile].empty()) add(tile, i);
                     }
                 }
             }
         }
     };
     Near near;
-    near.offsets = Vtr::CountRows(n_[0] * n_[1] * n_[2], visit);
+    near.offsets = Vtr::CountRows(CountAll(), visit);
     near.items.resize(static_cast<std::size_t>(near.offsets.back()));
     Vtr::FillRows(near.offsets, visit, [&](Offset place, Index item) { near.items[place] = item; });
     return near;
@@ -190,22 +190,49 @@ std::array<Vec, 4> Tiles::Tet(Index tet, const Place& origin) const {
     return v;
 }
 
-bool Tiles::IsMiddleInside(Index tile) const {
-    constexpr double kMiddle = 4;
-    const Place origin = Origin(tile);
-    for (Index t : tets_[tile]) {
-        const std::array<Vec, 4> v = Tet(t, origin);
-        bool is_in_box = true;
-        for (std::size_t c = 0; c < 3 && is_in_box; ++c) {
-            is_in_box = std::min({v[0][c], v[1][c], v[2][c], v[3][c]}) <= kMiddle + TetPlanes::kSlack &&
-                        std::max({v[0][c], v[1][c], v[2][c], v[3][c]}) >= kMiddle - TetPlanes::kSlack;
+std::uint8_t SidesInside(const VoxelSet& inside) {
+    constexpr int kMiddle = 4, kStride[3] = {64, 8, 1};
+    unsigned sides = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int middle = (64 + 8 + 1 - kStride[axis]) * kMiddle;
+        for (int upper = 0; upper < 2; ++upper) {
+            const bool is_inside = Holds(inside, middle + (upper ? (kTileSide - 1) * kStride[axis] : 0));
+            sides |= static_cast<unsigned>(is_inside) << (2 * axis + upper);
         }
-        TetPlanes tet;
-        if (!is_in_box || !tet.Make(v)) continue;
-        const auto row = tet.Row(kMiddle, kMiddle, kTileSide - 1);
-        if (row[0] <= kMiddle && kMiddle <= row[1]) return true;
     }
-    return false;
+    return static_cast<std::uint8_t>(sides);
+}
+
+std::vector<Index> Tiles::OthersInside(std::span<const std::uint8_t> beside) const {
+    enum : char { kUnknown, kNear, kFound };
+    std::vector<char> states(static_cast<std::size_t>(CountAll()), kUnknown);
+    for (Index tile : near_boundary_) states[static_cast<std::size_t>(tile)] = kNear;
+    const Index strides[3] = {n_[1] * n_[2], n_[2], 1};
+    std::vector<Index> inside;
+    const auto visit = [&](Index tile) {
+        char& state = states[static_cast<std::size_t>(tile)];
+        if (state == kUnknown) {
+            state = kFound;
+            inside.push_back(tile);
+        }
+    };
+    const auto for_neighbours = [&](Index tile, auto&& use) {
+        const Index places[3] = {tile / strides[0], tile / n_[2] % n_[1], tile % n_[2]};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (places[axis] > 0) use(2 * axis, tile - strides[axis]);
+            if (places[axis] + 1 < n_[static_cast<std::size_t>(axis)]) use(2 * axis + 1, tile + strides[axis]);
+        }
+    };
+    for (std::size_t i = 0; i < near_boundary_.size(); ++i) {
+        for_neighbours(near_boundary_[i], [&](int side, Index neighbour) {
+            if (beside[i] >> side & 1) visit(neighbour);
+        });
+    }
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        for_neighbours(inside[i], [&](int, Index neighbour) { visit(neighbour); });
+    }
+    std::sort(inside.begin(), inside.end());
+    return inside;
 }
 
 VoxelSet Tiles::Inside(Index tile) const {

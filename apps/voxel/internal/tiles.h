@@ -33,12 +33,16 @@ inline bool Holds(const VoxelSet& set, int voxel) {
     return set[static_cast<std::size_t>(voxel) / 64] >> (voxel % 64) & 1;
 }
 
+/// Whether the middle voxel of each side of a tile is inside: bit 2 axis + 1 of the upper side.
+std::uint8_t SidesInside(const VoxelSet& inside);
+
 /// Tiles that the solid, or voxels within `reach` of its boundary, lie in; and for each what comes near it.
 class Tiles {
   public:
-    /// Keeps a view of the solid. Cost: count, scan, fill; 4 bytes for each tile of the solid's box, and for each tile
-    /// that a tet or a triangle may touch. @pre counts fit (CountTiles)
-    Tiles(const VoxelSolid& solid, double reach);
+    /// Keeps a view of the solid. Cost: count, scan, fill; some 20 bytes for each tile of the solid's box, 4 for each
+    /// tile that a tet or a triangle may touch. @pre counts fit (CountTiles), reach >= 1
+    /// @param wants_others whether tets away from the boundary are asked for too: others(), FindOwners there
+    Tiles(const VoxelSolid& solid, double reach, bool wants_others);
 
     /// Tiles of the box around the solid, widened by reach.
     static double CountTiles(const VoxelSolid& solid, double reach);
@@ -54,8 +58,9 @@ class Tiles {
     VoxelSet Inside(Index tile) const;
     /// For each voxel the lowest tet that holds its centre, or kNoIndex.
     void FindOwners(Index tile, std::span<Index, kTileVoxels> tets) const;
-    /// Whether some cell holds the centre of voxel (4, 4, 4): of tiles away from the boundary all are as this one.
-    bool IsMiddleInside(Index tile) const;
+    /// The tiles away from the boundary that are inside: what their neighbours say of the voxels beside them goes for
+    /// all of them. @param beside SidesInside of near_boundary(), in its order
+    std::vector<Index> OthersInside(std::span<const std::uint8_t> beside) const;
     /// The same of the centres of `fineness`^3 parts of each voxel: how many of them, 0 to fineness^3.
     void CountInside(Index tile, int fineness, std::span<std::uint16_t, kTileVoxels> counts) const;
 
@@ -69,7 +74,9 @@ class Tiles {
     };
     std::array<std::array<double, 3>, 4> Tet(Index tet, const Place& origin) const;
     template <int kCorners>
-    Near FindNear(std::span<const Index> elements, double reach) const;
+    /// Of all tiles, or of those alone that are near the boundary.
+    Near FindNear(std::span<const Index> elements, double reach, bool wants_others) const;
+    Index CountAll() const { return n_[0] * n_[1] * n_[2]; }
 
     const VoxelSolid& solid_;
     double reach_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace SolidSubdiv::Voxel::Internal {
 
@@ -39,38 +40,38 @@ struct Triangle {
     }
 };
 
+typedef float Row __attribute__((vector_size(kTileSide * sizeof(float))));
+
 /// One row: x and y are given, z is 0 to 7.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
 void LowerRow(const Triangle& t, float x, float y, float* squares) {
-    float best[kTileSide], is_inside[kTileSide];
-    for (int z = 0; z < kTileSide; ++z) {
-        best[z] = squares[z];
-        is_inside[z] = t.has_normal ? 1.0f : 0.0f;
-    }
+    const Row zs = {0, 1, 2, 3, 4, 5, 6, 7}, zero{}, one = zero + 1.0f;
+    Row best, before;
+    std::memcpy(&before, squares, sizeof before);
+    best = before;
+    Row least_side = zero;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec e = t.edge[i], c = t.corner[i], n = t.across[i];
-        const float dx = x - c[0], dy = y - c[1], dz0 = -c[2], inverse = t.inverse_square[i];
-        const float along = dx * e[0] + dy * e[1], over = dx * n[0] + dy * n[1];
-        for (int z = 0; z < kTileSide; ++z) {
-            const float dz = dz0 + static_cast<float>(z);
-            float s = (along + dz * e[2]) * inverse;
-            s = s < 0 ? 0 : s;
-            s = s > 1 ? 1 : s;
-            const float rx = dx - s * e[0], ry = dy - s * e[1], rz = dz - s * e[2];
-            const float square = rx * rx + ry * ry + rz * rz;
-            best[z] = square < best[z] ? square : best[z];
-            is_inside[z] = over + dz * n[2] < 0 ? 0.0f : is_inside[z];
-        }
+        const Vec &e = t.edge[i], &c = t.corner[i], &n = t.across[i];
+        const float dx = x - c[0], dy = y - c[1];
+        const Row dz = zs - c[2];
+        Row s = (dx * e[0] + dy * e[1] + dz * e[2]) * t.inverse_square[i];
+        s = s < zero ? zero : s;
+        s = s > one ? one : s;
+        const Row rx = dx - s * e[0], ry = dy - s * e[1], rz = dz - s * e[2];
+        const Row square = rx * rx + ry * ry + rz * rz;
+        best = square < best ? square : best;
+        const Row side = dx * n[0] + dy * n[1] + dz * n[2];
+        least_side = side < least_side ? side : least_side;
     }
-    const float height0 =
-        (x - t.corner[0][0]) * t.normal[0] + (y - t.corner[0][1]) * t.normal[1] - t.corner[0][2] * t.normal[2];
-    for (int z = 0; z < kTileSide; ++z) {
-        const float height = height0 + static_cast<float>(z) * t.normal[2];
-        const float square = is_inside[z] > 0 ? height * height : best[z];
-        squares[z] = square < best[z] ? square : best[z];
+    if (t.has_normal) {
+        const Vec &n = t.normal, &c = t.corner[0];
+        const Row height = (x - c[0]) * n[0] + (y - c[1]) * n[1] + (zs - c[2]) * n[2];
+        const Row square = height * height;
+        best = least_side < zero ? best : (square < before ? square : before);
     }
+    std::memcpy(squares, &best, sizeof best);
 }
 
 }  // namespace
@@ -94,17 +95,19 @@ void LowerDistances(const std::array<std::array<float, 3>, 3>& corners, float re
                         (z - corners[0][2]) * t.normal[2]);
     };
     constexpr float kMiddle = kLast / 2;
-    // The circle around the triangle as seen along rows, from its middle.
-    const float cx = (corners[0][0] + corners[1][0] + corners[2][0]) / 3;
-    const float cy = (corners[0][1] + corners[1][1] + corners[2][1]) / 3;
-    float radius = 0;
-    for (const Vec& v : corners) radius = std::max(radius, std::hypot(v[0] - cx, v[1] - cy));
-    const float around = (radius + reach) * (radius + reach);
+    // A ball around the triangle, from its middle, and all that is within reach.
+    Vec middle;
+    for (std::size_t c = 0; c < 3; ++c) middle[c] = (corners[0][c] + corners[1][c] + corners[2][c]) / 3;
+    float square = 0;
+    for (const Vec& v : corners) square = std::max(square, Dot(Minus(v, middle), Minus(v, middle)));
+    const float dz = middle[2] - std::clamp(middle[2], 0.0f, kLast), radius = std::sqrt(square) + reach;
+    const float around = radius * radius - dz * dz;  // as seen along rows
     if (height(kMiddle, kMiddle, kMiddle) > reach + kMiddle * 1.7321f) return;
     for (int x = first[0]; x <= last[0]; ++x) {
         for (int y = first[1]; y <= last[1]; ++y) {
             const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
-            if ((fx - cx) * (fx - cx) + (fy - cy) * (fy - cy) > around) continue;
+            const float dx = fx - middle[0], dy = fy - middle[1];
+            if (dx * dx + dy * dy > around) continue;
             if (height(fx, fy, kMiddle) > reach + kMiddle * std::abs(t.normal[2])) continue;
             LowerRow(t, fx, fy, &squares[static_cast<std::size_t>(64 * x + 8 * y)]);
         }

@@ -2,10 +2,10 @@
 // The cascade, then cells and rows; and who touches whom, for updates.
 #include <solidsubdiv/apps/deform/deformer.h>
 
+#include <solidsubdiv/apps/deform/internal/grouped_rows.h>
 #include <solidsubdiv/apps/deform/internal/kernels.h>
 #include <solidsubdiv/apps/deform/internal/touch.h>
 #include <solidsubdiv/apps/deform/internal/used_columns.h>
-#include <solidsubdiv/osd/backends.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 #include <algorithm>
@@ -28,20 +28,33 @@ Far::StencilRows<Real> ConvertedRows(const Far::StencilRows<double>& rows) {
     return result;
 }
 
+/// Numbers the patch points of the tables anew.
+template <class Real>
+std::vector<GroupedRows<Real>> GroupedCascade(EmbeddingTables& t) {
+    std::vector<GroupedRows<Real>> cascade;
+    std::vector<Index> numbers;
+    for (const auto& level : t.cascade) cascade.emplace_back(level, numbers);
+    if (numbers.empty()) return cascade;
+    for (Array<Index>* indices : {&t.hexes.corners, &t.tets.corners, &t.rows.indices}) {
+        for (Index& i : *indices) i = numbers[static_cast<std::size_t>(i)];
+    }
+    return cascade;
+}
+
 }  // namespace
 
 template <class Real>
 struct DeformerReal<Real>::State {
-    explicit State(const EmbeddingTables& t)
+    explicit State(EmbeddingTables t)
         : n_points(t.n_points),
           n_control_points(t.n_control_points),
+          used(KeepUsedControlPoints(t)),
+          cascade(GroupedCascade<Real>(t)),
           hexes(t.hexes),
           tets(t.tets),
           rows(ConvertedRows<Real>(t.rows)),
           row_points(t.row_points),
           outside(t.outside) {
-        for (const auto& level : t.cascade) cascade.push_back(ConvertedRows<Real>(level));
-        used = KeepUsedControlPoints(*this);
         values.emplace_back(4 * static_cast<std::size_t>(used.size()));
         for (const auto& level : cascade) values.emplace_back(4 * static_cast<std::size_t>(level.n_rows()));
     }
@@ -61,11 +74,7 @@ struct DeformerReal<Real>::State {
     }
 
     void Refine() {
-        const auto eval = Osd::Backend::Best().eval<Real>();
-        for (std::size_t l = 0; l < cascade.size(); ++l) {
-            eval(cascade[l], Osd::BufferView<const Real>(std::span<const Real>(values[l]), 4),
-                 Osd::BufferView<Real>(std::span<Real>(values[l + 1]), 4), 0, cascade[l].n_rows());
-        }
+        for (std::size_t l = 0; l < cascade.size(); ++l) cascade[l].Eval(values[l], values[l + 1]);
     }
 
     template <int kCorners>
@@ -117,6 +126,13 @@ struct DeformerReal<Real>::State {
         std::vector<Index> outside_of;  ///< of each point: its place in `outside`, or kNoIndex; empty: none is
     };
 
+    static Users UsersOfRows(const GroupedRows<Real>& rows) {
+        return MakeUsers(rows.n_sources(), [&](auto&& add) {
+            for (Index row = 0; row < rows.n_rows(); ++row) {
+                rows.ForEachTerm(row, [&](Index source, Real) { add(source, row); });
+            }
+        });
+    }
     static Users UsersOfRows(const Far::StencilRows<Real>& rows) {
         return MakeUsers(rows.n_sources, [&](auto&& add) {
             for (Index row = 0; row < rows.n_rows(); ++row) {
@@ -203,13 +219,13 @@ struct DeformerReal<Real>::State {
     }
 
     Index n_points, n_control_points;
-    std::vector<Far::StencilRows<Real>> cascade;
+    UsedColumns used;  ///< the control points that something reads
+    std::vector<GroupedRows<Real>> cascade;
     Cells<Real, 8> hexes;
     Cells<Real, 4> tets;
     Far::StencilRows<Real> rows;
     Array<Index> row_points;
     std::vector<OutsidePoint> outside;
-    UsedColumns used;                 ///< the control points that something reads
     std::vector<Array<Real>> values;  ///< of those, and rows of each level: (n, 4), the last of four unused
     bool has_values = false;
     std::unique_ptr<Relations> relations;
@@ -302,11 +318,17 @@ std::vector<Index> DeformerReal<Real>::Affected(std::span<const Index> control_p
 template <class Real>
 Offset DeformerReal<Real>::Bytes() const {
     const State& s = *state_;
-    Offset bytes = s.hexes.Bytes() + s.tets.Bytes() + s.rows.Bytes() +
-                   static_cast<Offset>(s.row_points.size() * sizeof(Index) + s.outside.size() * sizeof(OutsidePoint));
+    Offset bytes = PointBytes();
     for (const auto& level : s.cascade) bytes += level.Bytes();
     for (const auto& values : s.values) bytes += static_cast<Offset>(values.size() * sizeof(Real));
     return bytes;
+}
+
+template <class Real>
+Offset DeformerReal<Real>::PointBytes() const {
+    const State& s = *state_;
+    return s.hexes.Bytes() + s.tets.Bytes() + s.rows.Bytes() +
+           static_cast<Offset>(s.row_points.size() * sizeof(Index) + s.outside.size() * sizeof(OutsidePoint));
 }
 
 template class DeformerReal<double>;

@@ -46,6 +46,9 @@ class DeformerReal {
 
     /// What is kept, all together; without what Update needs until its first call.
     Offset Bytes() const;
+    /// Of these, what the points are kept by: their coordinates and numbers, and the cells or rows that they are in.
+    /// The rest is the refined lattice, which would be the same for more points in these cells.
+    Offset PointBytes() const;
 
   private:
     struct State;

@@ -158,6 +158,12 @@ void AddSession(Race& race, const RaceSettings& settings, const Model& model, co
                   .moved_bytes = s->MovedBytes(),
                   .kept_bytes = static_cast<double>(s->deformer.Bytes())});
     }
+    char text[120];
+    const double bytes = static_cast<double>(s->deformer.Bytes()) / model.n(),
+                 own = static_cast<double>(s->deformer.PointBytes()) / model.n();
+    std::snprintf(text, sizeof text, ": %.1f bytes a vertex: %.1f for its place, %.1f for the refined lattice", bytes,
+                  own, bytes - own);
+    race.notes.push_back(name + text);
     const std::string one = name + ", one control point";
     moved.push_back({one, static_cast<double>(s->Drag()) / s->n_drags()});
     race.Add({.name = one, .run = [s] { s->Drag(); }, .work = s->n_drags(), .unit = "moves"});

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include <solidsubdiv/apps/deform/embedding.h>
+#include <solidsubdiv/apps/deform/internal/grouped_rows.h>
 
 namespace SolidSubdiv::Deform::Internal {
 
@@ -108,6 +109,15 @@ inline void SumRow(const Far::StencilRows<Real>& rows, Index row, const Real* so
         std::memcpy(&x, source + 4 * static_cast<Offset>(rows.indices[k]), sizeof x);
         sum += x * rows.weights[k];
     }
+}
+template <class Real>
+inline void SumRow(const GroupedRows<Real>& rows, Index row, const Real* source, typename Four<Real>::Type& sum) {
+    sum = typename Four<Real>::Type{};
+    rows.ForEachTerm(row, [&](Index i, Real weight) {
+        typename Four<Real>::Type x;
+        std::memcpy(&x, source + 4 * static_cast<Offset>(i), sizeof x);
+        sum += x * weight;
+    });
 }
 
 }  // namespace SolidSubdiv::Deform::Internal

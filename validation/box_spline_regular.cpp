@@ -152,7 +152,7 @@ void CompareLimitRows(const RefinedBlock& refined, const Far::StencilTable& casc
     }
 }
 
-Findings ValidateBoxSplineRegular(const Context&) {
+Findings ValidateBoxSplineRegular(const Context& context) {
     Findings findings;
     struct Case {
         const char* name;
@@ -164,10 +164,10 @@ Findings ValidateBoxSplineRegular(const Context&) {
                                {"octahedra along y", TrussCells::ParallelDiagonals, 1},
                                {"octahedra along z", TrussCells::ParallelDiagonals, 2},
                                {"tets and octahedra of a split", TrussCells::RefinedOnce, 2}};
-    constexpr int kLevels = 3;
+    const int n_levels = context.is_quick ? 2 : 3;
     for (const Case& c : kCases) {
         Findings found;
-        const RefinedBlock refined = RefineBlock(MakeTrussBlock({4, 4, 4}, c.cells, c.axis), kLevels);
+        const RefinedBlock refined = RefineBlock(MakeTrussBlock({4, 4, 4}, c.cells, c.axis), n_levels);
         Shaker shaker(1);
         std::vector<double> control(kWidth * refined.block.vertices.size());
         for (double& x : control) x = shaker.Next();
@@ -175,13 +175,13 @@ Findings ValidateBoxSplineRegular(const Context&) {
         const auto cascaded = Far::StencilTable::Create(refined.refiner, Sdc::BoxSpline{});
         CompareValues(refined, cascaded, control, found);
         CompareLimitOfValues(refined, cascaded, control, found);
-        for (int l = 1; l <= kLevels; ++l) {
+        for (int l = 1; l <= n_levels; ++l) {
             const std::vector<Index> vertices = RegularVertices(refined, l);
             const auto table = Far::StencilTable::CreateComposite(refined.refiner, Sdc::BoxSpline{},
                                                                   {Far::CompositeRows{l, vertices}});
             CompareRows(refined, table.level(1), l, vertices, found);
         }
-        for (int l = 0; l <= kLevels; ++l) {
+        for (int l = 0; l <= n_levels; ++l) {
             Far::LimitStencilTableOptions options;
             options.level = l;
             const auto limits = Far::LimitStencilTable::Create(refined.refiner, Sdc::BoxSpline{}, options);

@@ -35,7 +35,7 @@ struct FaceArrays {
 };
 
 Findings CompareSurface(const std::vector<Polygon>& faces, const std::vector<double>& positions,
-                        const SurfaceTags& tags, bool smooth_triangles = false, bool bilinear = false) {
+                        const SurfaceTags& tags, bool is_quick, bool smooth_triangles = false, bool bilinear = false) {
     PolygonSurfaceOfMesh surface = TakePolygons(faces, positions, tags);
     surface.surface.has_smooth_triangles = smooth_triangles;
     surface.surface.is_bilinear = bilinear;
@@ -47,7 +47,8 @@ Findings CompareSurface(const std::vector<Polygon>& faces, const std::vector<dou
             .triangles = smooth_triangles ? Sdc::TriangleWeights::Smooth : Sdc::TriangleWeights::CatmullClark};
     }
     const FaceArrays arrays(faces);
-    return CompareWithCatmark(arrays.Descriptor(positions), scheme, surface, positions, tags, {4, 3});
+    return CompareWithCatmark(arrays.Descriptor(positions), scheme, surface, positions, tags,
+                              ComparedLevels{4, 3}.AtMostTwoIf(is_quick));
 }
 
 /// Why a shape can't be compared, or an empty text: what is refused, and vertices whose rules differ on purpose.
@@ -82,15 +83,17 @@ Findings ValidateCatmarkSurfaces(const Context& context) {
             continue;
         }
         ++n_shapes;
-        findings.Merge(CompareSurface(shape.faces, shape.positions, {}), shape.name);
-        findings.Merge(CompareSurface(shape.faces, shape.positions, {}, true), shape.name + ", smooth triangles");
-        findings.Merge(CompareSurface(shape.faces, shape.positions, {}, false, true), shape.name + ", linear");
+        findings.Merge(CompareSurface(shape.faces, shape.positions, {}, context.is_quick), shape.name);
+        findings.Merge(CompareSurface(shape.faces, shape.positions, {}, context.is_quick, true),
+                       shape.name + ", smooth triangles");
+        findings.Merge(CompareSurface(shape.faces, shape.positions, {}, context.is_quick, false, true),
+                       shape.name + ", linear");
         ++seed;
         SurfaceTags tags = RandomTags(shape.faces, seed, seed % 3 == 0);
         tags.has_sharp_corners = seed % 2 == 1;
         for (bool is_chaikin : {false, true}) {
             tags.is_chaikin = is_chaikin;
-            findings.Merge(CompareSurface(shape.faces, shape.positions, tags),
+            findings.Merge(CompareSurface(shape.faces, shape.positions, tags, context.is_quick),
                            shape.name + (is_chaikin ? ", tags, Chaikin" : ", tags"));
         }
     }
@@ -100,9 +103,9 @@ Findings ValidateCatmarkSurfaces(const Context& context) {
     CompareCatalogue(
         context.osd_shapes, {"catmark_", "bilinear_"},
         [](const Io::Mesh& mesh) { return ReasonToSkip(FacesOf(mesh), mesh.positions); },
-        [](const std::string& name, const Io::Mesh& mesh) {
-            return CompareSurface(FacesOf(mesh), mesh.positions, TagsOf(mesh), name.starts_with("catmark_smoothtris"),
-                                  name.starts_with("bilinear_"));
+        [&](const std::string& name, const Io::Mesh& mesh) {
+            return CompareSurface(FacesOf(mesh), mesh.positions, TagsOf(mesh), context.is_quick,
+                                  name.starts_with("catmark_smoothtris"), name.starts_with("bilinear_"));
         },
         findings);
     return findings;

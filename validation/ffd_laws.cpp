@@ -112,8 +112,11 @@ void CheckLaws(const FfdShape& shape, const Deform::EmbedOptions& options, int& 
     }
 }
 
-void CheckSchemes(const FfdShape& shape, bool limit, int& most_steps, Findings& findings) {
-    for (const Sdc::Scheme& scheme : SchemesFor(shape)) {
+void CheckSchemes(const FfdShape& shape, bool limit, bool is_quick, int& most_steps, Findings& findings) {
+    std::vector<Sdc::Scheme> schemes = SchemesFor(shape);
+    // Limits are slow: by turns, one scheme a shape.
+    if (limit && is_quick) schemes = {schemes[shape.name.size() % schemes.size()]};
+    for (const Sdc::Scheme& scheme : schemes) {
         Findings found;
         // Steps of Newton's stop where they are near enough, by default 1e-12 of the size: nearly all that is allowed.
         CheckLaws(shape,
@@ -127,15 +130,17 @@ void CheckSchemes(const FfdShape& shape, bool limit, int& most_steps, Findings& 
 }
 
 void CheckLattice(const std::string& name, const Far::TopologyDescriptor& lattice, const std::vector<double>& control,
-                  int n_points, int& most_steps, Findings& findings) {
+                  int n_points, bool is_quick, int& most_steps, Findings& findings) {
     // Limits take milliseconds a point where cells are irregular: fewer points.
     for (const bool limit : {false, true}) {
-        CheckSchemes(DrawFfdShape(name, lattice, control, limit ? 10 : n_points, 1), limit, most_steps, findings);
+        const int n = limit ? 10 : n_points;
+        CheckSchemes(DrawFfdShape(name, lattice, control, is_quick ? n / 5 : n, 1), limit, is_quick, most_steps,
+                     findings);
     }
 }
 
 /// A model in its octree lattice.
-void CheckModel(const std::filesystem::path& path, int level, int& most_steps, Findings& findings) {
+void CheckModel(const std::filesystem::path& path, int level, bool is_quick, int& most_steps, Findings& findings) {
     const std::string name = path.filename().string() + ", level " + std::to_string(level);
     if (!std::filesystem::exists(path)) {
         findings.skipped.push_back(name + ": there is no " + path.string());
@@ -145,12 +150,13 @@ void CheckModel(const std::filesystem::path& path, int level, int& most_steps, F
     const auto hierarchy = Deform::MakeOctreeLattices(mesh.positions, mesh.topology.triangles, {.levels = level});
     const Deform::ControlLattice& lattice = hierarchy.levels.back().lattice;
     for (const bool limit : {false, true}) {
-        const std::size_t step = 3 * std::max<std::size_t>(1, mesh.positions.size() / (limit ? 300 : 6000));
+        const std::size_t n = (limit ? 100 : 2000) / (is_quick ? 20 : 1);
+        const std::size_t step = 3 * std::max<std::size_t>(1, mesh.positions.size() / (3 * n));
         Points points;
         for (std::size_t i = 0; i < mesh.positions.size(); i += step) {
             points.insert(points.end(), &mesh.positions[i], &mesh.positions[i] + 3);
         }
-        CheckSchemes(InBoxes(name, lattice, std::move(points)), limit, most_steps, findings);
+        CheckSchemes(InBoxes(name, lattice, std::move(points)), limit, is_quick, most_steps, findings);
     }
 }
 
@@ -288,13 +294,14 @@ Findings ValidateFfdLaws(const Context& context) {
     int most_steps = 0;
     for (const CellShape& cells : CellShapes()) {
         const DescribedCells described(cells);
-        CheckLattice(cells.name, described.descriptor, cells.positions, 100, most_steps, findings);
+        CheckLattice(cells.name, described.descriptor, cells.positions, 100, context.is_quick, most_steps, findings);
     }
     std::vector<SolidShape> solids = ManifoldShapes();
     solids.push_back(ReadSolidShape(context.shapes / "demo" / "bunny_lattice.vtu", "a real lattice"));
     for (const SolidShape& solid : solids) {
         const CellArrays arrays(solid.complex);
-        CheckLattice(solid.name, arrays.Descriptor(solid.n_vertices()), solid.positions, 100, most_steps, findings);
+        CheckLattice(solid.name, arrays.Descriptor(solid.n_vertices()), solid.positions, 100, context.is_quick,
+                     most_steps, findings);
     }
     const std::filesystem::path hexes = context.tets.parent_path() / "hexes";
     for (const auto& path : {context.tets / "sofa_liver.msh", hexes / "cino_ellipsoid.mesh",
@@ -305,13 +312,15 @@ Findings ValidateFfdLaws(const Context& context) {
             continue;
         }
         const Io::Mesh mesh = Io::ReadSolid(path);
-        CheckLattice(name, mesh.topology, mesh.positions, 500, most_steps, findings);
+        if (context.is_quick && mesh.topology.n_cells() > 1000) continue;
+        CheckLattice(name, mesh.topology, mesh.positions, 500, context.is_quick, most_steps, findings);
     }
     const std::filesystem::path surfaces = context.tets.parent_path() / "surfaces";
     for (int level : {0, 2, 4}) {
+        if (context.is_quick && level > 2) continue;
         for (const auto& path : {context.shapes / "demo" / "bunny.obj", surfaces / "ode_koala.obj",
                                  surfaces / "hoppe_mechpart.recon.obj", surfaces / "ode_human_woman.obj"}) {
-            CheckModel(path, level, most_steps, findings);
+            CheckModel(path, level, context.is_quick, most_steps, findings);
         }
     }
     findings.notes.push_back("cells of affected points are at most " + std::to_string(most_steps) +

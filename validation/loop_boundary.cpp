@@ -22,7 +22,7 @@ Findings ValidateLoopBoundary(const Context& context) {
         const auto compare = [&](const Sdc::Scheme& scheme, const char* how, const SurfaceTags& ours,
                                  const SurfaceTags& theirs, const ComparedLevels& levels) {
             findings.Merge(CompareWithLoop(cells.Descriptor(shape.n_vertices()), scheme, triangles, shape.positions,
-                                           ours, levels, theirs),
+                                           ours, levels.AtMostTwoIf(context.is_quick), theirs),
                            shape.name + ", " + std::string(Sdc::NameOf(scheme)) + how);
         };
         for (const Sdc::Features f : {Sdc::Features::Smooth, Sdc::Features::Sharp}) {

@@ -15,7 +15,7 @@ namespace SolidSubdiv::Validation {
 
 namespace {
 
-Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vector<double>& positions,
+Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vector<double>& positions, bool is_quick,
                         const SurfaceTags& tags = {}) {
     std::vector<Index> corners;
     for (const Triangle& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
@@ -25,18 +25,18 @@ Findings CompareSurface(const std::vector<Triangle>& triangles, const std::vecto
     Sdc::Loop scheme;
     scheme.features = tags.has_sharp_corners ? Sdc::Features::Sharp : Sdc::Features::Smooth;
     scheme.creasing = tags.is_chaikin ? Sdc::CreasingMethod::Chaikin : Sdc::CreasingMethod::Uniform;
-    return CompareWithLoop(descriptor, scheme, triangles, positions, tags);
+    return CompareWithLoop(descriptor, scheme, triangles, positions, tags, ComparedLevels().AtMostTwoIf(is_quick));
 }
 
 /// The surface with tags of every kind, under both creasing methods.
 void CompareTagged(const std::string& name, const std::vector<Triangle>& triangles,
-                   const std::vector<double>& positions, std::uint32_t seed, Findings& findings) {
+                   const std::vector<double>& positions, std::uint32_t seed, bool is_quick, Findings& findings) {
     for (bool infinite : {false, true}) {
         SurfaceTags tags = RandomTags(triangles, seed, infinite);
         tags.has_sharp_corners = seed % 2 == 1;
         for (bool is_chaikin : {false, true}) {
             tags.is_chaikin = is_chaikin;
-            findings.Merge(CompareSurface(triangles, positions, tags),
+            findings.Merge(CompareSurface(triangles, positions, is_quick, tags),
                            name + (infinite ? ", infinite tags" : ", tags") + (is_chaikin ? ", Chaikin" : ""));
         }
     }
@@ -104,16 +104,16 @@ Findings ValidateLoopSurfaces(const Context& context) {
     const std::vector<SurfaceShape> shapes = AllSurfaces();
     std::uint32_t seed = 0;
     for (const SurfaceShape& shape : shapes) {
-        findings.Merge(CompareSurface(shape.triangles, shape.positions), shape.name);
-        CompareTagged(shape.name, shape.triangles, shape.positions, seed++, findings);
+        findings.Merge(CompareSurface(shape.triangles, shape.positions, context.is_quick), shape.name);
+        CompareTagged(shape.name, shape.triangles, shape.positions, seed++, context.is_quick, findings);
     }
     findings.notes.push_back(std::to_string(shapes.size()) +
                              " surfaces of ours, levels 1-5, each also with four sets of "
                              "random creases and corners");
     CompareCatalogue(
         context.osd_shapes, {"loop_"}, [](const Io::Mesh& mesh) { return ReasonToSkip(TrianglesOf(mesh)); },
-        [](const std::string&, const Io::Mesh& mesh) {
-            return CompareSurface(TrianglesOf(mesh), mesh.positions, TagsOf(mesh));
+        [&](const std::string&, const Io::Mesh& mesh) {
+            return CompareSurface(TrianglesOf(mesh), mesh.positions, context.is_quick, TagsOf(mesh));
         },
         findings);
     return findings;

@@ -20,7 +20,7 @@ using namespace SolidSubdiv::Validation;
 
 constexpr const char* kUsage =
     "usage: solidsubdiv-validate [--list] [--only NAME] [--shapes DIR] [--report FILE.html] [--json FILE|-]\n"
-    "                            [--threads N] [--quiet]\n"
+    "                            [--threads N] [--quick] [--quiet]\n"
     "\n"
     "Holds the framework to references that were not derived from it. One line a validator: PASS, FAIL or SKIPPED,\n"
     "with its largest error. Exit 0 if none fails, 1 if one does, 2 on bad usage.\n"
@@ -31,6 +31,7 @@ constexpr const char* kUsage =
     "  --report FILE.html a page with everything that was found\n"
     "  --json FILE|-      the same for programs; - writes to the standard output instead of the lines\n"
     "  --threads N        the framework uses at most N threads\n"
+    "  --quick            two levels, few places, small shapes: to see that it works, not to rely on\n"
     "  --quiet            only what fails\n"
     "\n"
     "Data from elsewhere is used where it is present, and named as SKIPPED where it is not: SOLIDSUBDIV_DATA names "
@@ -42,7 +43,7 @@ constexpr const char* kUsage =
     "  solidsubdiv validate --only counts --report counts.html\n";
 
 struct Arguments {
-    bool list = false, quiet = false;
+    bool list = false, quick = false, quiet = false;
     int threads = 0;  ///< 0: as many as the machine has
     std::vector<std::string> only;
     std::filesystem::path shapes = SOLIDSUBDIV_SHAPES;
@@ -57,8 +58,12 @@ int Fail(int code, const std::string& text) {
 std::optional<std::string> Parse(int argc, char** argv, Arguments& arguments) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
-        if (name == "--list" || name == "--quiet") {
-            (name == "--list" ? arguments.list : arguments.quiet) = true;
+        bool* const flag = name == "--list"    ? &arguments.list
+                           : name == "--quick" ? &arguments.quick
+                           : name == "--quiet" ? &arguments.quiet
+                                               : nullptr;
+        if (flag) {
+            *flag = true;
             continue;
         }
         if (name != "--only" && name != "--shapes" && name != "--report" && name != "--json" && name != "--threads") {
@@ -121,6 +126,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path data = FromEnvironment("SOLIDSUBDIV_DATA", SOLIDSUBDIV_DATA);
     Context context;
     context.shapes = arguments.shapes;
+    context.is_quick = arguments.quick;
     context.osd_shapes = FromEnvironment("SOLIDSUBDIV_OSD_SHAPES", data / "opensubdiv_shapes");
     context.tets = data / "tets";
     context.scripts = std::filesystem::path(SOLIDSUBDIV_SOURCE) / "validation";

@@ -3,6 +3,7 @@
 // parent-child relations of both refiners, never by position.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,6 +56,11 @@ void CompareRows(const Far::StencilRows<double>& rows, int level, const SurfaceO
 struct ComparedLevels {
     int positions = 5;
     int rows = 3;
+
+    /// In the second level rules meet what rules have made; later ones are more of the same.
+    ComparedLevels AtMostTwoIf(bool is_quick) const {
+        return is_quick ? ComparedLevels{std::min(positions, 2), std::min(rows, 2)} : *this;
+    }
 };
 
 /// Follows, and compares triangles, positions at all the oracle's levels and composite rows up to max_row_level.

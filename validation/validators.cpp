@@ -162,6 +162,8 @@ Outcome Run(const Validator& validator, const Context& context) {
     const auto start = std::chrono::steady_clock::now();
     try {
         outcome.findings = validator.run(context);
+        if (context.is_quick)
+            outcome.findings.notes.push_back("quick: fewer levels, places and shapes than said above");
         outcome.status = outcome.findings.Passes(validator.tolerance) ? Status::Pass : Status::Fail;
         if (outcome.findings.n_compared == 0) outcome.reason = "nothing was compared";
     } catch (const Unavailable& unavailable) {

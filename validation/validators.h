@@ -21,6 +21,8 @@ struct Context {
     std::filesystem::path programs;    ///< where the program solidsubdiv is, if it was built
     std::filesystem::path scripts;     ///< where the validators' scripts are
     std::filesystem::path scratch;     ///< a folder to write in
+    /// Every path through the code, but once or twice: two levels, few places, small shapes. For sanitizers and such.
+    bool is_quick = false;
 };
 
 struct Validator {

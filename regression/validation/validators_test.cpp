@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "sanitized.h"
 #include "validation/validators.h"
 
 namespace SolidSubdiv::Validation {
@@ -112,6 +113,22 @@ TEST_F(ValidateProgram, PassesWithAReportAndJson) {
     ASSERT_EQ(Call("--only counts --json - --report '" + page.string() + "'"), 0) << output_;
     EXPECT_THAT(output_, testing::HasSubstr("\"name\": \"counts\", \"status\": \"PASS\""));
     EXPECT_GT(fs::file_size(page), 500U);
+}
+
+TEST_F(ValidateProgram, QuickRunsCompareLessAndSaySo) {
+    const auto n_compared = [&](const std::string& how) {
+        EXPECT_EQ(Call("--only box-spline-regular --json - " + how), 0) << output_;
+        const std::string name = "\"comparisons\": ";
+        const std::size_t at = output_.find(name);
+        return at == std::string::npos ? 0 : std::stoi(output_.substr(at + name.size()));
+    };
+    const int n = n_compared("--quick");
+    EXPECT_GT(n, 0);
+    EXPECT_THAT(output_, testing::HasSubstr("quick: fewer levels"));
+    if (!kIsSanitized) {
+        EXPECT_LT(n, n_compared("") / 2);
+        EXPECT_THAT(output_, testing::Not(testing::HasSubstr("quick: fewer levels")));
+    }
 }
 
 TEST_F(ValidateProgram, FailsIfAShapeHasAnotherNumberOfCells) {

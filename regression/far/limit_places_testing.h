@@ -10,6 +10,7 @@
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "far_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::TestFar {
 
@@ -111,7 +112,7 @@ inline std::vector<double> RandomValues(Index n) {
 /// Limits at places are those of the vertices there.
 inline void ExpectLimitsOfVertices(const Far::TopologyRefiner& refiner, const Sdc::Scheme& scheme, Elements elements,
                                    int levels) {
-    const PlacesOfVertices found = FindPlaces(refiner, levels, elements, 60);
+    const PlacesOfVertices found = FindPlaces(refiner, levels, elements, FewerIfSanitized(60));
     if (found.places.empty()) return;
     const auto values = RandomValues(refiner.n_vertices(0));
     const auto at_vertices = LimitStencilTable::Create(refiner, scheme, {.level = levels});

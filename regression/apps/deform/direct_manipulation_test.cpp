@@ -13,6 +13,7 @@
 #include "apps/deform/deform_testing.h"
 #include "apps/deform/drag_testing.h"
 #include "apps/deform/editing_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Deform {
 namespace {
@@ -25,7 +26,7 @@ using TestShapes::Copy;
 TEST(DirectManipulation, DraggedPointsLandOnTheirTargets) {
     for (const LatticeCase& c : LatticeCases()) {
         for (bool limit : {false, true}) {
-            const std::vector<double> points = PointsAround(c.lattice, limit ? 20 : 200, 1);
+            const std::vector<double> points = PointsAround(c.lattice, limit ? (kIsSanitized ? 10 : 20) : 200, 1);
             const auto embedding = Embedding::Create(c.lattice.View(), c.lattice.positions, points,
                                                      {.scheme = c.scheme, .levels = 1, .limit = limit});
             const std::set<Index> outside = OutsideOf(embedding);

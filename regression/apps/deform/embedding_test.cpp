@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "apps/deform/deform_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Deform {
 namespace {
@@ -44,7 +45,7 @@ TEST_P(Embeddings, UndeformedLattice_LeavesAllPoints) {
 }
 
 TEST_P(Embeddings, UndeformedLattice_LeavesPointsInTheLimit) {
-    const auto points = PointsAround(lattice(), 40, 1);
+    const auto points = PointsAround(lattice(), FewerIfSanitized(40), 1);
     const Embedding e = Embed(points, {.levels = 1, .limit = true});
     // Points inside are as near as the search in the limit comes: 1e-12 of the diagonal.
     EXPECT_LT(Distance(Deformed(e, lattice().positions), points), 1e-11);
@@ -82,7 +83,7 @@ TEST_P(Embeddings, PointsOutside_DoAsAsked) {
 }
 
 TEST_P(Embeddings, ControlRows_AreTheDerivative) {
-    const auto points = PointsAround(lattice(), 30, 4);
+    const auto points = PointsAround(lattice(), FewerIfSanitized(30), 4);
     for (bool limit : {false, true}) {
         const Embedding e = Embed(points, {.levels = 1, .limit = limit});
         std::vector<Index> all(static_cast<std::size_t>(e.n_points()));
@@ -107,7 +108,7 @@ TEST_P(Embeddings, ControlRows_AreTheDerivative) {
 
 TEST_P(Embeddings, Update_ChangesWhatIsAffected_ToTheBitsOfDeform) {
     for (bool limit : {false, true}) {
-        const auto points = PointsAround(lattice(), limit ? 30 : 500, 6);
+        const auto points = PointsAround(lattice(), limit ? FewerIfSanitized(30) : 500, 6);
         const Embedding e = Embed(points, {.levels = 1, .limit = limit});
         Deformer deformer(e), whole(e);
         std::vector<double> control = Moved(lattice().positions, 0.2, 7), moved(points.size()), expected(points.size());

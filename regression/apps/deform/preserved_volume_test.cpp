@@ -11,6 +11,7 @@
 
 #include "apps/deform/deform_testing.h"
 #include "apps/deform/drag_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Deform {
 namespace {
@@ -130,7 +131,7 @@ TEST(PreservedVolume, ThatTargetsLeaveNoWayToKeepIsReported) {
 TEST(TransposedEmbedding, IsTheTransposeOfItsRows) {
     for (const LatticeCase& c : LatticeCases()) {
         for (bool limit : {false, true}) {
-            const Index n = limit ? 20 : 300;
+            const Index n = limit ? FewerIfSanitized(20) : 300;
             const std::vector<double> points = PointsAround(c.lattice, n, 1);
             const auto embedding = Embedding::Create(c.lattice.View(), c.lattice.positions, points,
                                                      {.scheme = c.scheme, .levels = 1, .limit = limit});

@@ -5,6 +5,7 @@
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "kit/geometry/place_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Geometry {
 namespace {
@@ -32,7 +33,7 @@ TestSolid Full(TestSolid s) {
 
 void ExpectFoundAgain(const TestSolid& s, const Sdc::Scheme& scheme, int n) {
     SCOPED_TRACE(s.name + ", " + std::string(Sdc::NameOf(scheme)));
-    const auto places = RandomPlaces(s, n, 5);
+    const auto places = RandomPlaces(s, FewerIfSanitized(n), 5);
     const auto points = LimitsOf(s, scheme, places);
     LimitLocator locator(s.refiner, scheme, s.level, s.positions);
     const auto found = locator.Locate(points);

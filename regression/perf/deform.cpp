@@ -205,10 +205,13 @@ Race RaceModel(const RaceSettings& settings, const Model& model) {
             const std::string name = "level " + std::to_string(level) + ", refined " + std::to_string(levels) + "x";
             const auto embedding =
                 Deform::Embedding::Create(lattice.View(), lattice.positions, model.points, Refined(levels));
+            Offset n_terms = 0;
+            for (const auto& rows : embedding.tables().cascade) n_terms += rows.n_weights();
             race.notes.push_back(name + ": " + std::to_string(lattice.n_cells()) + " cells, " +
                                  std::to_string(lattice.n_control_points()) + " control points; refined, " +
                                  std::to_string(embedding.tables().hexes.n_cells()) + " cells that hold vertices, of " +
-                                 std::to_string(embedding.tables().n_patch_points()) + " points; " +
+                                 std::to_string(embedding.tables().n_patch_points()) + " points, sums of " +
+                                 std::to_string(n_terms) + " terms all together; " +
                                  std::to_string(embedding.outside().size()) + " vertices outside.");
             AddSession(race, settings, model, name, level,
                        std::make_shared<Session<float>>(embedding, lattice.positions, floats), moved);

@@ -2,6 +2,7 @@
 // Lattices of every kind with points in and around them, for tests of the room.
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,9 @@ struct LatticeCase {
     ControlLattice lattice;
     Sdc::Scheme scheme;
 };
+
+/// The name of a test of it.
+inline void PrintTo(const LatticeCase& c, std::ostream* stream) { *stream << c.name; }
 
 /// Every solid scheme on lattices that it takes.
 inline std::vector<LatticeCase> LatticeCases() {

@@ -8,6 +8,7 @@
 #include <openvdb/tools/Count.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <type_traits>
@@ -49,6 +50,30 @@ auto WithGrid(const openvdb::GridPtrVec& grids, const std::string& name, const c
     return *result;
 }
 
+/// The same of numbers or vectors.
+template <class Use>
+auto WithAnyGrid(const openvdb::GridPtrVec& grids, const std::string& name, Use&& use) {
+    return WithGrid<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid, openvdb::Vec3SGrid,
+                    openvdb::Vec3DGrid>(grids, name, "numbers or vectors", use);
+}
+
+template <class Grid>
+GridSurface SurfaceOf(const Grid& grid, double value) {
+    std::vector<openvdb::Vec3s> points;
+    std::vector<openvdb::Vec3I> triangles;
+    std::vector<openvdb::Vec4I> quads;
+    openvdb::tools::volumeToMesh(grid, points, triangles, quads, value);
+    GridSurface surface;
+    for (const openvdb::Vec3s& p : points) surface.positions.insert(surface.positions.end(), {p[0], p[1], p[2]});
+    // OpenVDB lists corners clockwise as seen from outside.
+    const auto add = [](const auto& face, int n, std::vector<Index>& faces) {
+        for (int i = n - 1; i >= 0; --i) faces.push_back(static_cast<Index>(face[i]));
+    };
+    for (const openvdb::Vec3I& face : triangles) add(face, 3, surface.triangles);
+    for (const openvdb::Vec4I& face : quads) add(face, 4, surface.quads);
+    return surface;
+}
+
 /// Calls visit(voxel) for a box of voxels, z fastest. @throws InvalidInput where it is empty or too large
 template <class Visit>
 void ForBox(const std::array<int, 3>& low, const std::array<int, 3>& high, Visit&& visit) {
@@ -83,6 +108,13 @@ Grids Grids::Read(const std::filesystem::path& path) {
         throw IoError(path.string() + ": can't be read as OpenVDB: " + error.what());
     }
     return grids;
+}
+
+void Grids::SetMetadata(const std::string& name, const std::string& value) {
+    for (const auto& grid : state_->grids) {
+        grid->removeMeta(name);
+        grid->insertMeta(name, openvdb::StringMetadata(value));
+    }
 }
 
 std::vector<GridInfo> Grids::Describe() const {
@@ -138,21 +170,35 @@ std::vector<double> Grids::Vectors(const std::string& name, const std::array<int
     });
 }
 
+std::vector<bool> Grids::IsActive(const std::string& name, const std::array<int, 3>& low,
+                                  const std::array<int, 3>& high) const {
+    return WithAnyGrid(state_->grids, name, [&](const auto& grid) {
+        std::vector<bool> active;
+        const auto accessor = grid.getConstAccessor();
+        ForBox(low, high, [&](const openvdb::Coord& v) { active.push_back(accessor.isValueOn(v)); });
+        return active;
+    });
+}
+
+std::array<double, 3> Grids::ToWorld(const std::string& name, const std::array<int, 3>& voxel) const {
+    return WithAnyGrid(state_->grids, name, [&](const auto& grid) {
+        const openvdb::Vec3d p = grid.indexToWorld(openvdb::Coord(voxel[0], voxel[1], voxel[2]));
+        return std::array{p[0], p[1], p[2]};
+    });
+}
+
 GridSurface Grids::Surface(const std::string& name, double value) const {
-    return WithGrid<openvdb::FloatGrid, openvdb::DoubleGrid>(state_->grids, name, "numbers", [&](const auto& grid) {
-        std::vector<openvdb::Vec3s> points;
-        std::vector<openvdb::Vec3I> triangles;
-        std::vector<openvdb::Vec4I> quads;
-        openvdb::tools::volumeToMesh(grid, points, triangles, quads, value);
-        GridSurface surface;
-        for (const openvdb::Vec3s& p : points) surface.positions.insert(surface.positions.end(), {p[0], p[1], p[2]});
-        // OpenVDB lists corners clockwise as seen from outside.
-        const auto add = [](const auto& face, int n, std::vector<Index>& faces) {
-            for (int i = n - 1; i >= 0; --i) faces.push_back(static_cast<Index>(face[i]));
-        };
-        for (const openvdb::Vec3I& face : triangles) add(face, 3, surface.triangles);
-        for (const openvdb::Vec4I& face : quads) add(face, 4, surface.quads);
-        return surface;
+    return WithGrid<openvdb::FloatGrid, openvdb::DoubleGrid>(state_->grids, name, "numbers",
+                                                             [&](const auto& grid) { return SurfaceOf(grid, value); });
+}
+
+GridSurface Grids::ActiveSurface(const std::string& name) const {
+    return WithAnyGrid(state_->grids, name, [](const auto& grid) {
+        // 1 where active, 0 elsewhere.
+        const auto tree = std::make_shared<openvdb::FloatTree>(grid.tree(), 0.0f, 1.0f, openvdb::TopologyCopy());
+        const auto mask = openvdb::FloatGrid::create(tree);
+        mask->setTransform(grid.transform().copy());
+        return SurfaceOf(*mask, 0.5);
     });
 }
 

@@ -52,6 +52,9 @@ class Grids {
     /// Beside and renamed. @param half_float keep numbers in 16 bits. @throws IoError
     void Write(const std::filesystem::path& path, bool half_float = false) const;
 
+    /// A string that every grid carries into files, under a name of its own, instead of what was there.
+    void SetMetadata(const std::string& name, const std::string& value);
+
     std::vector<GridInfo> Describe() const;
     /// Values of a grid of numbers (float, double, int32) at a box of voxels, low to high inclusive, z fastest.
     /// @throws InvalidInput where there is no such grid, or the box is empty or holds more than 2^31 voxels
@@ -61,9 +64,17 @@ class Grids {
     std::vector<double> Vectors(const std::string& name, const std::array<int, 3>& low,
                                 const std::array<int, 3>& high) const;
 
+    /// Which voxels of a box are active; of grids of numbers or vectors.
+    std::vector<bool> IsActive(const std::string& name, const std::array<int, 3>& low,
+                               const std::array<int, 3>& high) const;
+    /// Where a grid has a voxel's centre. @throws InvalidInput where there is no such grid
+    std::array<double, 3> ToWorld(const std::string& name, const std::array<int, 3>& voxel) const;
+
     /// Where a grid of numbers has a value (0: the surface of a level set): quads (n, 4) and triangles (n, 3),
     /// counterclockwise from the larger values. @throws InvalidInput where there is no such grid of numbers
     GridSurface Surface(const std::string& name, double value) const;
+    /// The boundary of what is active in a grid of numbers or vectors.
+    GridSurface ActiveSurface(const std::string& name) const;
 
     struct State;
     State& state() { return *state_; }

@@ -75,7 +75,7 @@ Json Session::Seconds() const {
     Json json = Json::object();
     double sum = 0;
     for (const auto& [name, seconds] : seconds_) {
-        json[name] = seconds;
+        json[name] = json.value(name, 0.0) + seconds;
         sum += seconds;
     }
     json["sum"] = sum;

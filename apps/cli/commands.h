@@ -24,6 +24,9 @@ Work AddRefine(CLI::App& command);
 Work AddSample(CLI::App& command);
 Work AddLattice(CLI::App& command);
 Work AddDeform(CLI::App& command);
+#if defined(SOLIDSUBDIV_HAS_VOXEL)
+Work AddVoxelize(CLI::App& command);
+#endif
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
 Work AddAnalyze(CLI::App& command);
 #endif
@@ -40,6 +43,10 @@ inline constexpr std::array kCommands = {
     Command{"sample", "sample the limit: triangles of the boundary, tets of the inside", AddSample},
     Command{"lattice", "control lattices around a model: octree, shrunken, of tets", AddLattice},
     Command{"deform", "free-form deformation: move a model with a control lattice around it", AddDeform},
+#if defined(SOLIDSUBDIV_HAS_VOXEL)
+    Command{"voxelize", "fill a refined solid with voxels: level sets, fog, attributes, as OpenVDB's grids",
+            AddVoxelize},
+#endif
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
     Command{"analyze", "eigenvalues of a scheme, and what they say about smoothness", AddAnalyze},
 #endif

@@ -13,6 +13,9 @@
 #include <solidsubdiv/apps/cli/mesh_report.h>
 #include <solidsubdiv/apps/cli/quality_report.h>
 #include <solidsubdiv/kit/io/formats.h>
+#ifdef SOLIDSUBDIV_HAS_VOXEL
+#include <solidsubdiv/apps/cli/voxel_report.h>
+#endif
 #ifdef SOLIDSUBDIV_HAS_PICTURES
 #include <solidsubdiv/kit/picture/quality_picture.h>
 #endif
@@ -22,7 +25,7 @@ namespace SolidSubdiv::Cli {
 namespace {
 
 struct InfoOptions {
-    std::string file, quality_map, picture;
+    std::string file, quality_map, picture, grid;
     bool quality = false;
 
     bool wants_quality() const { return quality || !quality_map.empty() || !picture.empty(); }
@@ -70,7 +73,43 @@ std::string AddQuality(Session& session, const InfoOptions& options, const Io::M
     return text;
 }
 
+/// Files of OpenVDB's grids.
+void RunGridInfo([[maybe_unused]] Session& session, const InfoOptions& options) {
+    if (options.quality || !options.quality_map.empty()) {
+        throw UsageError(options.file + ": --quality is of cells, and this file holds grids of voxels");
+    }
+#ifdef SOLIDSUBDIV_HAS_VOXEL
+    const std::filesystem::path picture =
+        options.picture.empty() ? std::filesystem::path() : session.outputs().Stage(options.picture);
+    session.Stage("read");
+    const Voxel::Grids grids = Voxel::Grids::Read(options.file);
+    session.Stage("analyze");
+    Json result = {{"command", "info"}, {"file", options.file}, {"format", "OpenVDB"}, {"grids", DescribeGrids(grids)}};
+    const Json& described = result["grids"];
+    std::string text = options.file + ": OpenVDB\n" + (described.empty() ? "no grids" : GridsText(described));
+    const std::string metadata = MetadataText(described);
+    if (!metadata.empty()) text += "\nmetadata: " + metadata;
+    if (!picture.empty()) {
+        session.Stage("picture");
+        About(options.file, [&] {
+            if (described.empty()) throw InvalidInput("has no grids; there is nothing to draw");
+            WriteGridPicture(picture, grids,
+                             {options.grid.empty() ? described[0]["name"].get<std::string>() : options.grid}, session);
+        });
+        text += "\nwrote " + options.picture;
+    }
+    session.EndStage();
+    result["seconds"] = session.Seconds();
+    session.Print(text);
+    session.Finish(result);
+#else
+    throw IoError(options.file + ": holds OpenVDB's grids, and this program was built without OpenVDB");
+#endif
+}
+
 void RunInfo(Session& session, const InfoOptions& options) {
+    if (std::filesystem::path(options.file).extension() == ".vdb") return RunGridInfo(session, options);
+    if (!options.grid.empty()) throw UsageError(options.file + ": --grid is of .vdb files");
     if (!options.quality_map.empty()) RequireSolidFormat(options.quality_map);
     const std::string& file = options.file;
     session.Stage("read");
@@ -103,7 +142,7 @@ void RunInfo(Session& session, const InfoOptions& options) {
 Work AddInfo(CLI::App& command) {
     const auto options = std::make_shared<InfoOptions>();
     InfoOptions& o = *options;
-    command.add_option("FILE", o.file, "the mesh")->required()->option_text(" ");
+    command.add_option("FILE", o.file, "the mesh, or grids of voxels (.vdb)")->required()->option_text(" ");
     command.add_flag("--quality", o.quality,
                      "measure cells: the least Jacobian determinant, with a proof\n"
                      "of its sign, scaled Jacobians, the worst cells");
@@ -114,18 +153,25 @@ Work AddInfo(CLI::App& command) {
 #ifdef SOLIDSUBDIV_HAS_PICTURES
     command
         .add_option("--picture", o.picture,
-                    "draw the cells coloured by quality as a PNG: from outside,\ncut open, the worst by themselves")
+                    "draw the cells coloured by quality as a PNG: from outside,\ncut open, the worst by themselves; "
+                    "of a grid the surface\nand a slice by value")
         ->option_text("FILE");
+    command.add_option("--grid", o.grid, "the grid that --picture draws; default the first")->option_text("NAME");
 #endif
     command.footer(
         "The size; of cells the volume, inverted ones and those of no volume; components of the boundary with their\n"
         "Euler characteristic and genus; histograms of valences and of the cells around inner edges; cells that meet\n"
         "only in an edge or a vertex; defects, those that make a mesh unusable too. Where all cells are tetrahedra or\n"
-        "octahedra also the share of matched faces.\n\n" +
+        "octahedra also the share of matched faces. Of OpenVDB's files the grids, their sizes, values and "
+        "metadata.\n\n" +
         ReadableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv info lattice.vtu --json lattice.json\n"
-        "  solidsubdiv info lattice.vtu --quality --quality-map quality.vtu --picture quality.png");
+        "  solidsubdiv info lattice.vtu --quality --quality-map quality.vtu --picture quality.png"
+#ifdef SOLIDSUBDIV_HAS_VOXEL
+        "\n  solidsubdiv info solid.vdb --picture grid.png --grid density"
+#endif
+    );
     return [options](Session& session) { RunInfo(session, *options); };
 }
 

@@ -57,6 +57,9 @@ TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
     for (const std::string moved : {"moved", "walk1", "walk2", "walk3"}) {
         MustRun("lattice bunny.obj -o " + moved + ".vtu --levels 1");
     }
+    if (std::count(commands.begin(), commands.end(), "voxelize") > 0) {
+        MustRun("voxelize lattice.vtu -o solid.vdb --kind fog --resolution 16");
+    }
     for (const std::string& command : commands) {
         std::istringstream help(MustRun(command + " --help").out);
         int n_examples = 0;

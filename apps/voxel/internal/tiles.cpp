@@ -74,9 +74,10 @@ struct TetPlanes {
         return true;
     }
 
-    /// The z in [0, last] at which a row of points (x, y, z) is in the tet: [first, second], empty if first > second.
-    std::array<double, 2> Row(double x, double y, double last) const {
-        double low = std::max(0.0, box.low[2] - kSlack), high = std::min(last, box.high[2] + kSlack);
+    /// The z in [start, last] at which a row of points (x, y, z) is in the tet: [first, second], empty if first >
+    /// second.
+    std::array<double, 2> Row(double x, double y, double start, double last) const {
+        double low = std::max(start, box.low[2] - kSlack), high = std::min(last, box.high[2] + kSlack);
         for (std::size_t f = 0; f < 4; ++f) {
             const double c = normal[f][2], rest = normal[f][0] * x + normal[f][1] * y + offset[f];
             if (c > 0) {
@@ -103,7 +104,7 @@ void ForRows(const TetPlanes& tet, int n, double start, double step, RowOf&& row
     const auto xs = range(0), ys = range(1);
     for (int x = xs[0]; x <= xs[1]; ++x) {
         for (int y = ys[0]; y <= ys[1]; ++y) {
-            const auto z = tet.Row(start + step * x, start + step * y, start + step * (n - 1));
+            const auto z = tet.Row(start + step * x, start + step * y, start, start + step * (n - 1));
             const int first = static_cast<int>(std::ceil((z[0] - start) / step));
             const int last = static_cast<int>(std::floor((z[1] - start) / step));
             if (first <= last && last >= 0 && first < n) row(x, y, std::max(first, 0), std::min(last, n - 1));

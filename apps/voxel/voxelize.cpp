@@ -114,6 +114,32 @@ openvdb::FloatGrid::Ptr MakeFog(const Tiles& tiles, const VoxelizeOptions& optio
     return grid;
 }
 
+/// About how many bytes the tiles and the grids will take.
+double EstimateBytes(const VoxelSolid& solid, const VoxelizeOptions& options) {
+    const auto point = [&](Index v) {
+        const double* p = &solid.points[3 * static_cast<std::size_t>(v)];
+        return openvdb::Vec3d(p[0], p[1], p[2]);
+    };
+    double volume = 0, area = 0;  // in voxels
+    for (std::size_t t = 0; t < solid.tets.size(); t += 4) {
+        const openvdb::Vec3d a = point(solid.tets[t]);
+        const openvdb::Vec3d b = point(solid.tets[t + 1]) - a, c = point(solid.tets[t + 2]) - a;
+        volume += std::abs(b.cross(c).dot(point(solid.tets[t + 3]) - a)) / 6;
+    }
+    for (std::size_t t = 0; t < solid.triangles.size(); t += 3) {
+        const openvdb::Vec3d a = point(solid.triangles[t]);
+        area += (point(solid.triangles[t + 1]) - a).cross(point(solid.triangles[t + 2]) - a).length() / 2;
+    }
+    // Whole tiles: beside what is within reach of the boundary half a tile on either side.
+    const auto near = [&](double reach) { return area * (2 * reach + kTileSide); };
+    double numbers = options.kind != Kind::Fog ? near(options.half_width) : 0;
+    if (options.kind != Kind::LevelSet) numbers += near(1);
+    int width = options.jacobian + options.cell_id + options.level_id;
+    for (const Attribute& a : options.attributes) width += a.width;
+    numbers += width * (volume + area * kTileSide / 2);
+    return 8 * Tiles::CountTiles(solid, options.half_width) + sizeof(float) * numbers;
+}
+
 /// Refuses, before any work, boxes of more voxels than coordinates or memory hold.
 void RequireRoom(const VoxelSolid& solid, const VoxelizeOptions& options) {
     std::array<double, 3> n{};
@@ -128,15 +154,15 @@ void RequireRoom(const VoxelSolid& solid, const VoxelizeOptions& options) {
         voxels *= n[c];
         largest = std::max({largest, std::abs(low), std::abs(high)});
     }
-    const double bytes = 8 * Tiles::CountTiles(solid, options.half_width);
+    const double bytes = EstimateBytes(solid, options);
     const bool fits = largest < 1e9 && bytes < static_cast<double>(options.max_bytes) &&
-                      bytes / 8 < std::numeric_limits<Index>::max();
+                      Tiles::CountTiles(solid, options.half_width) < std::numeric_limits<Index>::max();
     if (fits) return;
-    char text[200];
+    char text[250];
     std::snprintf(text, sizeof text,
-                  "voxels of size %g make a box of %.4g x %.4g x %.4g = %.4g of them, too many; "
-                  "choose larger ones",
-                  options.voxel_size, n[0], n[1], n[2], voxels);
+                  "voxels of size %g make a box of %.4g x %.4g x %.4g = %.4g of them, too many "
+                  "(about %.3g GB); choose larger ones",
+                  options.voxel_size, n[0], n[1], n[2], voxels, 1e-9 * bytes);
     throw InvalidInput(text);
 }
 

@@ -16,9 +16,14 @@ namespace SolidSubdiv::Cli {
 #ifdef SOLIDSUBDIV_HAS_PICTURES
 namespace {
 
-Voxel::GridSurface SurfaceOf(const Voxel::Grids& grids, const Voxel::GridInfo& info) {
-    if (info.grid_class == "level set") return grids.Surface(info.name, 0);
-    if (info.grid_class == "fog volume") return grids.Surface(info.name, 0.5);
+/// @param caption says where it is
+Voxel::GridSurface SurfaceOf(const Voxel::Grids& grids, const Voxel::GridInfo& info, std::string& caption) {
+    const bool is_level_set = info.grid_class == "level set";
+    if (is_level_set || info.grid_class == "fog volume") {
+        caption = "where '" + info.name + "' is " + (is_level_set ? "0" : "0.5");
+        return grids.Surface(info.name, is_level_set ? 0 : 0.5);
+    }
+    caption = "where '" + info.name + "' is active";
     return grids.ActiveSurface(info.name);
 }
 
@@ -65,12 +70,15 @@ Picture::VoxelSlice SliceOf(const Voxel::Grids& grids, const Voxel::GridInfo& in
                               .n_v = high[1] - low[1] + 1,
                               .values = values,
                               .title = info.type.starts_with("vec3") ? "length" : "",
-                              .caption = info.name};
+                              .caption = "'" + info.name + "', sliced"};
     if (info.grid_class == "level set") {  // white at the surface
         slice.map = Picture::ColorMap::Diverging;
         slice.high = std::max(std::abs(info.least), std::abs(info.greatest));
         slice.low = -slice.high;
         slice.title = "distance";
+    } else if (info.grid_class == "fog volume") {
+        slice.high = 1;
+        slice.title = "filled part";
     }
     return slice;
 }
@@ -81,6 +89,7 @@ void WriteGridPicture(const std::filesystem::path& path, const Voxel::Grids& gri
                       const std::vector<std::string>& names, Session& session) {
     const std::vector<Voxel::GridInfo> infos = grids.Describe();
     Voxel::GridSurface surface;
+    std::string caption;
     std::vector<Picture::VoxelSlice> slices;
     std::vector<std::vector<double>> values(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -93,12 +102,11 @@ void WriteGridPicture(const std::filesystem::path& path, const Voxel::Grids& gri
                                (known.empty() ? "is none" : "are " + known));
         }
         slices.push_back(SliceOf(grids, *info, values[i]));
-        if (i == 0) surface = SurfaceOf(grids, *info);
+        if (i == 0) surface = SurfaceOf(grids, *info, caption);
     }
     const std::vector<Index> triangles = Triangles(surface);
-    Picture::WritePng(
-        path, Picture::GridPicture({.positions = surface.positions, .triangles = triangles}, slices,
-                                   {.caption = names.empty() ? "" : "surface of " + names[0]}, session.progress()));
+    Picture::WritePng(path, Picture::GridPicture({.positions = surface.positions, .triangles = triangles}, slices,
+                                                 {.caption = caption}, session.progress()));
 }
 #else
 void WriteGridPicture(const std::filesystem::path&, const Voxel::Grids&, const std::vector<std::string>&, Session&) {}

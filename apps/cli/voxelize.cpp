@@ -53,7 +53,10 @@ Work AddVoxelize(CLI::App& command) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_option("--half-width", o.half_width, "voxels beside the boundary with exact distances; default 3")
         ->option_text("W")
-        ->check(CLI::Range(1.0, 100.0));
+        ->check([](const std::string& text) {
+            const double width = std::strtod(text.c_str(), nullptr);
+            return width >= 1 && width <= 100 ? std::string() : "'" + text + "' is not from 1 to 100 voxels";
+        });
     command.add_flag("--half", o.half, "write numbers of 16 bits");
     CLI::Option* levels =
         command.add_option("--levels", o.levels, "refinements before cells are filled; default 2")->option_text("N");

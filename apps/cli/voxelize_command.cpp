@@ -2,6 +2,8 @@
 // A solid is refined, as far as was asked for or a tolerance needs, and its last cells are filled with voxels.
 #include <solidsubdiv/apps/cli/voxelize_command.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -172,6 +174,7 @@ class VoxelizeCommand {
         Voxel::VoxelizeOptions how{.voxel_size = options_.voxel_size,
                                    .kind = Voxel::KindOf(options_.kind),
                                    .half_width = options_.half_width,
+                                   .max_bytes = MemoryShare(),
                                    .progress = session_.progress()};
         if (how.voxel_size == 0) {
             const auto box = Geometry::BoundingBox(solid.positions);
@@ -198,6 +201,11 @@ class VoxelizeCommand {
             AddOutput("picture", options_.picture, picture_);
         }
         session_.EndStage();
+    }
+
+    /// Three quarters of the machine's memory.
+    static Offset MemoryShare() {
+        return static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 * static_cast<Offset>(sysconf(_SC_PAGESIZE));
     }
 
     /// The mesh's own data go before what is built in; no two grids have one name.

@@ -105,6 +105,7 @@ void ForRows(const TetPlanes& tet, int n, double start, double step, RowOf&& row
     for (int x = xs[0]; x <= xs[1]; ++x) {
         for (int y = ys[0]; y <= ys[1]; ++y) {
             const auto z = tet.Row(start + step * x, start + step * y, start, start + step * (n - 1));
+            if (!(z[0] <= z[1])) continue;  // planes of nearly flat tets are met at heights that no int holds
             const int first = static_cast<int>(std::ceil((z[0] - start) / step));
             const int last = static_cast<int>(std::floor((z[1] - start) / step));
             if (first <= last && last >= 0 && first < n) row(x, y, std::max(first, 0), std::min(last, n - 1));

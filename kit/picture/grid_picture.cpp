@@ -25,13 +25,16 @@ Vector ToViewer(const View& view) {
     return view.up == UpAxis::Y ? Vector{side, std::sin(e), back} : Vector{side, -back, std::sin(e)};
 }
 
-/// Triangles all of whose corners the slice's plane leaves on the far side.
+/// Triangles all of whose corners the slice's plane leaves on the far side, a quarter of a voxel away: what lies in the
+/// plane would be seen through the squares.
 std::vector<Index> TrianglesBehind(const Surface& surface, const VoxelSlice& slice, const View& view) {
     Vector normal = Cross(slice.step_u, slice.step_v);
     if (Dot(normal, ToViewer(view)) < 0) normal = {-normal[0], -normal[1], -normal[2]};
+    const double step = std::sqrt(Dot(slice.step_u, slice.step_u)), length = std::sqrt(Dot(normal, normal));
+    const double height = Dot(normal, slice.corner) - 0.25 * step * length;
     const auto is_behind = [&](Index v) {
         const double* p = &surface.positions[3 * static_cast<std::size_t>(v)];
-        return Dot(normal, {p[0], p[1], p[2]}) <= Dot(normal, slice.corner);
+        return Dot(normal, {p[0], p[1], p[2]}) < height;
     };
     std::vector<Index> behind;
     for (std::size_t t = 0; t + 3 <= surface.triangles.size(); t += 3) {

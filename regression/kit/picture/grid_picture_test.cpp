@@ -67,7 +67,8 @@ TEST(GridPicture, ThinsOutLongSides) {
 
 TEST(GridPicture, ShowsTheSurfaceBehindASliceOnly) {
     const std::vector<double> one(1, 1.0);
-    const std::vector<double> behind{-5, -5, -1, 5, -5, -1, 0, 5, -1}, before{-5, -5, 1, 5, -5, 1, 0, 5, 1};
+    const std::vector<double> behind{-5, -5, -1, 5, -5, -1, 0, 5, -1}, before{-5, -5, 1, 5, -5, 1, 0, 5, 1},
+        within{-5, -5, 0, 5, -5, 0, 0, 5, 0};
     const std::vector<Index> triangle{0, 1, 2};
     const VoxelSlice slices[] = {Slice(one, 1, 1)};
     GridPictureOptions options = Small();
@@ -78,6 +79,7 @@ TEST(GridPicture, ShowsTheSurfaceBehindASliceOnly) {
     // A triangle of area 50 around a square of area 1, and the square alone.
     EXPECT_GT(panel(behind), 20 * panel(before));
     EXPECT_GT(panel(before), 0);
+    EXPECT_GT(panel(behind), 20 * panel(within));
 }
 
 TEST(GridPicture, RefusesArraysThatDoNotFit) {

@@ -5,9 +5,11 @@
 #include <solidsubdiv/apps/voxel/internal/vdb.h>
 #include <solidsubdiv/sdc/errors.h>
 
+#include <openvdb/io/Stream.h>
 #include <openvdb/tools/Count.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -100,10 +102,12 @@ Grids Grids::Read(const std::filesystem::path& path) {
     Internal::InitializeVdb();
     Grids grids;
     try {
-        openvdb::io::File file(path.string());
-        file.open(false);
-        grids.state_->grids = *file.getGrids();
-        file.close();
+        // Not by io::File: it takes what lies beyond the end of a file for zeros.
+        std::ifstream file;
+        file.exceptions(std::ios::failbit | std::ios::badbit);
+        file.open(path, std::ios::binary);
+        openvdb::io::Stream stream(file, false);
+        grids.state_->grids = *stream.getGrids();
     } catch (const std::exception& error) {
         throw IoError(path.string() + ": can't be read as OpenVDB: " + error.what());
     }

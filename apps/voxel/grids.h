@@ -47,7 +47,7 @@ class Grids {
     Grids(Grids&&) noexcept;
     Grids& operator=(Grids&&) noexcept;
 
-    /// @throws IoError naming the file and what is wrong
+    /// Grids in the order that they have in the file. @throws IoError naming the file and what is wrong
     static Grids Read(const std::filesystem::path& path);
     /// Beside and renamed. @param half_float keep numbers in 16 bits. @throws IoError
     void Write(const std::filesystem::path& path, bool half_float = false) const;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <solidsubdiv/apps/voxel/internal/triangle_distance.h>
+#include <solidsubdiv/sdc/parallel.h>
 #include <solidsubdiv/vtr/grouping.h>
 
 namespace SolidSubdiv::Voxel::Internal {
@@ -54,8 +55,9 @@ struct TetPlanes {
     std::array<double, 4> offset;
     Box box;
 
-    /// Points so far outside, in voxels, are held: what lies on a face is in both cells, whatever rounding does.
-    static constexpr double kSlack = 1e-9;
+    /// Points so far outside, in voxels, are held: what lies on a face is in both cells, whatever rounding does. Of a
+    /// tet that is all but flat no farther than a thousandth of its height.
+    static constexpr double kSlack = 1e-9, kSlackOfHeight = 1e-3;
 
     bool Make(const std::array<Vec, 4>& v) {
         static constexpr std::size_t faces[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
@@ -68,7 +70,7 @@ struct TetPlanes {
                 for (double& x : n) x = -x;
             }
             normal[f] = n;
-            offset[f] = kSlack * std::sqrt(Dot(n, n)) - Dot(n, a);
+            offset[f] = std::min(kSlack * std::sqrt(Dot(n, n)), kSlackOfHeight * std::abs(det)) - Dot(n, a);
         }
         for (const Vec& p : v) box.Include(p.data());
         return true;
@@ -113,6 +115,22 @@ void ForRows(const TetPlanes& tet, int n, double start, double step, RowOf&& row
     }
 }
 
+/// Tets of a negative determinant. Where they meet others the solid is folded and may end where no boundary is.
+std::vector<char> FindInverted(const VoxelSolid& solid) {
+    std::vector<char> is_inverted(solid.tets.size() / 4);
+    Sdc::ParallelFor(static_cast<Offset>(is_inverted.size()), 4096, [&](Offset begin, Offset end) {
+        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
+            std::array<Vec, 4> v;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double* const p = &solid.points[3 * static_cast<std::size_t>(solid.tets[4 * t + k])];
+                v[k] = {p[0], p[1], p[2]};
+            }
+            is_inverted[t] = Dot(Minus(v[1], v[0]), Cross(Minus(v[2], v[0]), Minus(v[3], v[0]))) < 0;
+        }
+    });
+    return is_inverted;
+}
+
 }  // namespace
 
 double Tiles::CountTiles(const VoxelSolid& solid, double reach) {
@@ -127,9 +145,18 @@ Tiles::Tiles(const VoxelSolid& solid, double reach, bool wants_others) : solid_(
     low_ = tiles[0];
     for (std::size_t c = 0; c < 3; ++c) n_[c] = tiles[1][c] - tiles[0][c] + 1;
     triangles_ = FindNear<3>(solid.triangles, reach, true);
-    tets_ = FindNear<4>(solid.tets, 0.5, wants_others);  // parts of voxels are asked for too
+    const std::vector<char> is_inverted = FindInverted(solid);
+    const auto n_inverted = static_cast<std::size_t>(std::count(is_inverted.begin(), is_inverted.end(), true));
+    const bool is_folded = n_inverted > 0 && n_inverted < is_inverted.size();
+    tets_ = FindNear<4>(solid.tets, 0.5, wants_others || is_folded);  // parts of voxels are asked for too
+    const auto differ = [&](Index tile) {
+        const auto tets = tets_[tile];
+        return std::any_of(tets.begin(), tets.end(), [&](Index t) {
+            return is_inverted[static_cast<std::size_t>(t)] != is_inverted[static_cast<std::size_t>(tets[0])];
+        });
+    };
     for (Index tile = 0; tile < CountAll(); ++tile) {
-        if (!triangles_[tile].empty()) {
+        if (!triangles_[tile].empty() || (is_folded && differ(tile))) {
             near_boundary_.push_back(tile);
         } else if (!tets_[tile].empty()) {
             others_.push_back(tile);
@@ -174,10 +201,10 @@ void Tiles::SquaredDistances(Index tile, std::span<float, kTileVoxels> squares) 
     const auto reach = static_cast<float>(reach_);
     std::fill(squares.begin(), squares.end(), std::numeric_limits<float>::max());
     for (Index t : triangles_[tile]) {
-        std::array<std::array<float, 3>, 3> corners;
+        std::array<Vec, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
             const double* const p = &solid_.points[3 * static_cast<std::size_t>(solid_.triangles[3 * t + k])];
-            for (std::size_t c = 0; c < 3; ++c) corners[k][c] = static_cast<float>(p[c] - origin[c]);
+            for (std::size_t c = 0; c < 3; ++c) corners[k][c] = p[c] - origin[c];
         }
         LowerDistances(corners, reach, squares);
     }

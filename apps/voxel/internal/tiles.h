@@ -47,7 +47,8 @@ class Tiles {
     /// Tiles of the box around the solid, widened by reach.
     static double CountTiles(const VoxelSolid& solid, double reach);
 
-    std::span<const Index> near_boundary() const { return near_boundary_; }  ///< with a triangle within reach, perhaps
+    /// With a triangle within reach, perhaps; and where tets of both orientations meet.
+    std::span<const Index> near_boundary() const { return near_boundary_; }
     std::span<const Index> others() const { return others_; }                ///< with tets only, perhaps
     const VoxelSolid& solid() const { return solid_; }
     Place Origin(Index tile) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include <solidsubdiv/kit/geometry/face_cells.h>
 #include <solidsubdiv/kit/geometry/tessellation_inside.h>
 #include <solidsubdiv/sdc/errors.h>
 
@@ -13,7 +14,21 @@ namespace SolidSubdiv::Voxel::Internal {
 
 namespace {
 
-/// Faces of cells; those in no cell (sheets) bound nothing.
+/// Calls visit(vertices) for the boundary faces of a level that are faces of cells. Those in no cell (sheets) bound
+/// nothing; level 0 tells which they are, and the children of its faces follow one another.
+/// @param children_of how many children a boundary face of level 0 has
+template <class Level, class ChildrenOf, class Visit>
+void ForFacesOfCells(const Level& base, const Level& fine, ChildrenOf&& children_of, Visit&& visit) {
+    Index next = 0;
+    for (Index b = 0; b < base.n_boundary_faces; ++b) {
+        const bool is_of_cell = Geometry::CellsOfFace(base, base.boundary_faces[b]) > 0;
+        const Index end = next + children_of(b);
+        for (; next < end; ++next) {
+            if (is_of_cell) visit(fine.BoundaryVertices(next));
+        }
+    }
+}
+
 std::vector<Index> BoundaryTriangles(const Far::TopologyRefiner& refiner, int level) {
     std::vector<Index> triangles;
     const auto add = [&](std::span<const Index> face) {
@@ -24,11 +39,14 @@ std::vector<Index> BoundaryTriangles(const Far::TopologyRefiner& refiner, int le
         }
     };
     if (refiner.is_polyhedral()) {
-        const Vtr::PolyhedralLevel& l = refiner.polyhedral_level(level);
-        for (Index f = 0; f < l.n_boundary_faces; ++f) add(l.BoundaryVertices(f));
+        const Vtr::PolyhedralLevel& base = refiner.polyhedral_level(0);
+        const auto children_of = [&](Index b) {
+            return level == 0 ? 1 : base.boundary_rows.Count(b) << (2 * (level - 1));
+        };
+        ForFacesOfCells(base, refiner.polyhedral_level(level), children_of, add);
     } else {
-        const Far::Level& l = refiner.level(level);
-        for (Index f = 0; f < l.n_boundary_faces; ++f) add(l.BoundaryVertices(f));
+        ForFacesOfCells(
+            refiner.level(0), refiner.level(level), [&](Index) { return 1 << (2 * level); }, add);
     }
     return triangles;
 }

@@ -15,7 +15,7 @@ struct CellWeights {
     int n = 0;       ///< 4 or 8
     std::array<Index, 8> vertices{};
     std::array<double, 8> weights{};
-    double jacobian = 0;  ///< determinant of the map from the cell's coordinates (far/place.h), in voxels
+    double jacobian = 0;  ///< of a hexahedron its map's determinant, else six times the volume of the tet, in voxels
 };
 
 /// Cells that tets were cut from.

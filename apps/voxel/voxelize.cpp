@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <set>
 #include <string>
 
 namespace SolidSubdiv::Voxel {
@@ -177,10 +179,17 @@ Kind KindOf(std::string_view name) {
 
 void VoxelizeOptions::Validate() const {
     if (!(voxel_size > 0) || !std::isfinite(voxel_size)) {
-        throw InvalidInput("voxel_size is " + std::to_string(voxel_size) + "; it must be above 0, and finite");
+        char text[100];
+        std::snprintf(text, sizeof text, "voxel_size is %g; it must be above 0, and finite", voxel_size);
+        throw InvalidInput(text);
     }
     if (!(half_width >= 1 && half_width <= 100)) {
         throw InvalidInput("half_width is " + std::to_string(half_width) + "; it must be 1 to 100 voxels");
+    }
+    std::set<std::string> names{"surface", "density", "jacobian", "cell_id", "level"};
+    for (const Attribute& a : attributes) {
+        if (a.name.empty()) throw InvalidInput("an attribute has no name");
+        if (!names.insert(a.name).second) throw InvalidInput("a second grid would have the name '" + a.name + "'");
     }
 }
 

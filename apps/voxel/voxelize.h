@@ -44,14 +44,16 @@ struct VoxelizeOptions {
     Kind kind = Kind::LevelSet;
     double half_width = 3;  ///< [1, 100], voxels
     std::vector<Attribute> attributes{};
-    bool jacobian = false;  ///< grid "jacobian": determinant of the cell's map (far/place.h), in cubed units
+    /// Grid "jacobian", in cubed units: the determinant of a hexahedron's trilinear map (far/place.h), in other cells
+    /// six times the volume of the tet; negative where inverted.
+    bool jacobian = false;
     bool cell_id = false;   ///< grid "cell_id" of integers: the cell of the level; -1 outside
     bool level_id = false;  ///< grid "level" of integers: the level; -1 outside
     /// Refuse what would take more than so many bytes, as far as it can be told beforehand.
     Offset max_bytes = Offset{8} << 30;
     Progress progress{};
 
-    /// @throws InvalidInput
+    /// @throws InvalidInput where a number is out of its range, or two grids would have one name
     void Validate() const;
 };
 

@@ -133,6 +133,21 @@ constexpr std::array kValidators = {
               "quoted values are simple or have a full set of eigenvectors, so "
               "they are found to about 1e-15; 1e-9 still sees a weight that is off by a millionth",
               ValidateSpectra},
+    Validator{
+        "voxel-attributes",
+        "attributes at 10,000 random voxels of solids of tets, octahedra, hexahedra and other cells = direct "
+        "evaluation in the cells named, and rows of places that the locator finds; errors are what floats do not "
+        "round",
+        1e-12,
+        "values of size 1 in floats: two units of rounding are taken off (2.4e-7), coordinates are found to 1e-14",
+        ValidateVoxelAttributes},
+    Validator{"voxel-level-set",
+              "level sets of solids = OpenVDB's of their boundaries (a tenth of a voxel where its are exact, signs of "
+              "all), and the distances to a ball, a torus, a box; volumes of negative voxels and of fog = those of the "
+              "divergence theorem; errors are what exceeds",
+              1e-12,
+              "what is allowed is taken off: a tenth of a voxel, the facets' sagitta, a part of a layer of voxels",
+              ValidateVoxelLevelSet},
     Validator{"vtk-reader",
               "VTK's own reader finds our counts, arrays, positive volumes and their sum in every form of VTU "
               "that we write",

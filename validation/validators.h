@@ -77,6 +77,8 @@ Findings ValidateLimitPlaces(const Context& context);
 Findings ValidateLimitSurfaces(const Context& context);
 Findings ValidateLocation(const Context& context);
 Findings ValidateSpectra(const Context& context);
+Findings ValidateVoxelAttributes(const Context& context);
+Findings ValidateVoxelLevelSet(const Context& context);
 Findings ValidateVtkReader(const Context& context);
 
 }  // namespace SolidSubdiv::Validation

@@ -77,8 +77,8 @@ Work AddVoxelize(CLI::App& command) {
     command.footer(
         "Voxel (i, j, k) has its centre at H (i, j, k). Inside is what a cell holds: cavities stay empty, and shells\n"
         "within shells are kept. All grids carry the scheme, its options, the levels and the file as metadata;\n"
-        "'solidsubdiv info' shows them. docs/voxels.md explains more. Point data named as another grid are written\n"
-        "as 'point_NAME'.\n\n" +
+        "'solidsubdiv info' shows them. docs/voxels.md explains more. Point data called surface, density, jacobian,\n"
+        "cell_id or level are written as 'point_NAME'.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv voxelize lattice.vtu -o solid.vdb --resolution 64\n"

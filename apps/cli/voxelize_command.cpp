@@ -73,14 +73,13 @@ class VoxelizeCommand {
         }
     }
 
+    static bool IsBuiltIn(std::string_view name) { return name == "jacobian" || name == "cell_id" || name == "level"; }
     static bool IsUsable(const Io::Attribute& a) { return a.width == 1 || a.width == 3; }
 
     void RequireAttributes(const Io::Mesh& mesh) const {
         for (const std::string& name : options_.attributes) {
             const Io::Attribute* const data = mesh.FindPointData(name);
-            if ((data != nullptr && IsUsable(*data)) || name == "jacobian" || name == "cell_id" || name == "level") {
-                continue;
-            }
+            if ((data != nullptr && IsUsable(*data)) || (data == nullptr && IsBuiltIn(name))) continue;
             std::string known;
             for (const Io::Attribute& a : mesh.point_data) known += IsUsable(a) ? a.name + ", " : "";
             throw InvalidInput(options_.input + ": has no point data '" + name +
@@ -208,21 +207,18 @@ class VoxelizeCommand {
         return static_cast<Offset>(sysconf(_SC_PHYS_PAGES)) / 4 * 3 * static_cast<Offset>(sysconf(_SC_PAGESIZE));
     }
 
-    /// The mesh's own data go before what is built in; no two grids have one name.
+    /// The mesh's own data go before what is built in, under other names.
     void AddAttribute(const Io::Mesh& solid, const std::string& name, Voxel::VoxelizeOptions& how) const {
         if (const Io::Attribute* const data = solid.FindPointData(name)) {
-            const bool is_taken = (name == "surface" && how.kind != Voxel::Kind::Fog) ||
-                                  (name == "density" && how.kind != Voxel::Kind::LevelSet);
-            if (is_taken) {
-                session_.Note("--attribute " + name + ": becomes grid 'point_" + name + "' beside grid '" + name + "'");
-            }
+            const bool is_taken = name == "surface" || name == "density" || IsBuiltIn(name);
+            if (is_taken)
+                session_.Note("--attribute " + name + ": the mesh's own data become grid 'point_" + name + "'");
             how.attributes.push_back({is_taken ? "point_" + name : name, data->width, data->values});
-        } else if (name == "jacobian")
-            how.jacobian = true;
-        else if (name == "cell_id")
-            how.cell_id = true;
-        else
-            how.level_id = true;
+        } else {
+            how.jacobian = how.jacobian || name == "jacobian";
+            how.cell_id = how.cell_id || name == "cell_id";
+            how.level_id = how.level_id || name == "level";
+        }
     }
 
     void AddOutput(const std::string& what, const std::string& file, const std::filesystem::path& written) {

@@ -49,7 +49,7 @@ class Tiles {
 
     /// With a triangle within reach, perhaps; and where tets of both orientations meet.
     std::span<const Index> near_boundary() const { return near_boundary_; }
-    std::span<const Index> others() const { return others_; }                ///< with tets only, perhaps
+    std::span<const Index> others() const { return others_; }  ///< with tets only, perhaps
     const VoxelSolid& solid() const { return solid_; }
     Place Origin(Index tile) const;
 

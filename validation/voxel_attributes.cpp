@@ -226,9 +226,12 @@ void CompareSamples(const VoxelShape& shape, const VoxelSamples& samples, Findin
 
 Findings ValidateVoxelAttributes(const Context& context) {
     Findings findings;
+    const double fineness = context.is_quick ? 40 : 150;
     const auto check = [&](const VoxelShape& shape, unsigned seed) {
         Findings found;
-        CompareSamples(shape, SampleVoxels(shape, SizeOf(shape.positions) / 150, 10000, seed), found);
+        CompareSamples(shape,
+                       SampleVoxels(shape, SizeOf(shape.positions) / fineness, context.is_quick ? 1000 : 10000, seed),
+                       found);
         findings.Merge(found, shape.name);
     };
     check(MakeBall(6), 1);

@@ -205,11 +205,12 @@ void CompareVolumes(const ShapeVoxels& voxels, const TriangleSurface& surface, F
 
 Findings ValidateVoxelLevelSet(const Context& context) {
     Findings findings;
-    CheckShape(MakeBall(16), 0.03, DistanceToBall, findings);
-    CheckShape(MakeTorus(8), 0.03, DistanceToTorus, findings);
-    CheckShape(MakeTurnedBox(4), 0.03, DistanceToTurnedBox, findings);
+    const double size = context.is_quick ? 0.06 : 0.03;
+    CheckShape(MakeBall(context.is_quick ? 8 : 16), size, DistanceToBall, findings);
+    CheckShape(MakeTorus(context.is_quick ? 4 : 8), size, DistanceToTorus, findings);
+    CheckShape(MakeTurnedBox(4), size, DistanceToTurnedBox, findings);
     const VoxelShape bunny = Refined(context.shapes / "demo" / "bunny_lattice.vtu", 2, Sdc::BoxSpline{});
-    CheckShape(bunny, SizeOf(bunny.positions) / 150, nullptr, findings);
+    CheckShape(bunny, SizeOf(bunny.positions) / (context.is_quick ? 60 : 150), nullptr, findings);
     return findings;
 }
 

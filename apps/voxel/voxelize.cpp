@@ -186,7 +186,12 @@ void VoxelizeOptions::Validate() const {
     if (!(half_width >= 1 && half_width <= 100)) {
         throw InvalidInput("half_width is " + std::to_string(half_width) + "; it must be 1 to 100 voxels");
     }
-    std::set<std::string> names{"surface", "density", "jacobian", "cell_id", "level"};
+    std::set<std::string> names;
+    if (kind != Kind::Fog) names.insert("surface");
+    if (kind != Kind::LevelSet) names.insert("density");
+    if (jacobian) names.insert("jacobian");
+    if (cell_id) names.insert("cell_id");
+    if (level_id) names.insert("level");
     for (const Attribute& a : attributes) {
         if (a.name.empty()) throw InvalidInput("an attribute has no name");
         if (!names.insert(a.name).second) throw InvalidInput("a second grid would have the name '" + a.name + "'");

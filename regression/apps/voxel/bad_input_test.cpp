@@ -66,7 +66,17 @@ TEST(BadInput, AttributesMustFitTheVertices) {
 TEST(BadInput, GridsMustHaveNamesOfTheirOwn) {
     const std::vector<double> values(27, 1.0);
     for (const char* name : {"surface", "density", "jacobian", "cell_id", "level", ""}) {
-        EXPECT_THAT(ErrorOf(Block(), {.voxel_size = 0.1, .attributes = {{name, 1, values}}}), HasSubstr("name"));
+        EXPECT_THAT(ErrorOf(Block(), {.voxel_size = 0.1,
+                                      .kind = Kind::Both,
+                                      .attributes = {{name, 1, values}},
+                                      .jacobian = true,
+                                      .cell_id = true,
+                                      .level_id = true}),
+                    HasSubstr("name"));
+    }
+    // Names of grids that are not asked for are free.
+    for (const char* name : {"density", "jacobian", "cell_id", "level"}) {
+        EXPECT_EQ(ErrorOf(Block(), {.voxel_size = 0.1, .attributes = {{name, 1, values}}}), "no error");
     }
     EXPECT_THAT(ErrorOf(Block(), {.voxel_size = 0.1, .attributes = {{"a", 1, values}, {"a", 1, values}}}),
                 HasSubstr("'a'"));

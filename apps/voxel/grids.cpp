@@ -103,11 +103,13 @@ Grids Grids::Read(const std::filesystem::path& path) {
     Grids grids;
     try {
         // Not by io::File: it takes what lies beyond the end of a file for zeros.
-        std::ifstream file;
+        std::ifstream file(path, std::ios::binary);
+        if (!file) throw IoError("there is no such file, or no right to read it");
         file.exceptions(std::ios::failbit | std::ios::badbit);
-        file.open(path, std::ios::binary);
         openvdb::io::Stream stream(file, false);
         grids.state_->grids = *stream.getGrids();
+    } catch (const std::ios::failure&) {
+        throw IoError(path.string() + ": can't be read as OpenVDB: it ends too early");
     } catch (const std::exception& error) {
         throw IoError(path.string() + ": can't be read as OpenVDB: " + error.what());
     }

@@ -27,6 +27,14 @@ function(solidsubdiv_compile_quickly target)
   endif()
 endfunction()
 
+# Sources that include OpenVDB, under UBSan: oneTBB's hash map, in which it keeps its accessors, marks buckets to be
+# rehashed with the pointer 3, and is stopped for it.
+function(solidsubdiv_spare_openvdb)
+  if(SOLIDSUBDIV_SANITIZE)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-sanitize=alignment)
+  endif()
+endfunction()
+
 # solidsubdiv_room(NAME [PUBLIC targets...] [PRIVATE targets...])
 # A room is every .cpp below the calling folder; one without any is header-only. NAME becomes SolidSubdiv::NAME.
 function(solidsubdiv_room name)

@@ -126,12 +126,13 @@ openvdb::GridPtrVec MakeAttributeGrids(const Tiles& tiles, const Far::TopologyRe
                 tiles.FindOwners(tile, owners);
                 if (std::all_of(owners.begin(), owners.end(), [](Index t) { return t == kNoIndex; })) continue;
                 const Place origin = tiles.Origin(tile);
+                HexMap hex;  // of this tile alone: the same bits whatever tiles a thread has
                 for (const auto& sink : sinks) sink->Start(place, origin);
                 for (int v = 0; v < kTileVoxels; ++v) {
                     const Index tet = owners[static_cast<std::size_t>(v)];
                     if (tet == kNoIndex) continue;
-                    const CellWeights at =
-                        cells.At(tet, {origin[0] + v / 64 + 0.0, origin[1] + v / 8 % 8 + 0.0, origin[2] + v % 8 + 0.0});
+                    const CellWeights at = cells.At(
+                        tet, {origin[0] + v / 64 + 0.0, origin[1] + v / 8 % 8 + 0.0, origin[2] + v % 8 + 0.0}, hex);
                     for (const auto& sink : sinks) sink->Put(place, v, at);
                 }
             }

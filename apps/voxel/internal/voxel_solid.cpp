@@ -68,26 +68,24 @@ std::array<double, 8> Trilinear(const Vec& at) {
     return weights;
 }
 
-/// The trilinear map and its derivatives.
-struct HexMap {
-    std::array<Vec, 8> corners;
-
-    std::array<Vec, 4> At(const Vec& at) const {
-        std::array<Vec, 4> result{};
-        const auto weights = Trilinear(at);
-        for (std::size_t i = 0; i < 8; ++i) {
-            const double u = i % 4 == 1 || i % 4 == 2 ? 1 : -1, v = i % 4 >= 2 ? 1 : -1, w = i >= 4 ? 1 : -1;
-            const double fu = u > 0 ? at[0] : 1 - at[0], fv = v > 0 ? at[1] : 1 - at[1], fw = w > 0 ? at[2] : 1 - at[2];
-            for (std::size_t c = 0; c < 3; ++c) {
-                result[0][c] += weights[i] * corners[i][c];
-                result[1][c] += u * fv * fw * corners[i][c];
-                result[2][c] += v * fu * fw * corners[i][c];
-                result[3][c] += w * fu * fv * corners[i][c];
-            }
-        }
-        return result;
+/// Moves hex.at by one step of Newton's towards a point; how far. Sets the determinant there.
+double StepTowards(const Vec& point, HexMap& hex, double& determinant) {
+    const auto& [a, b, c, ab, ac, bc, abc] = hex.terms;
+    const auto [u, v, w] = hex.at;
+    Vec missing, du, dv, dw;
+    for (std::size_t k = 0; k < 3; ++k) {
+        du[k] = a[k] + v * ab[k] + w * (ac[k] + v * abc[k]);
+        dv[k] = b[k] + u * ab[k] + w * (bc[k] + u * abc[k]);
+        dw[k] = c[k] + u * ac[k] + v * (bc[k] + u * abc[k]);
+        missing[k] = (point[k] - hex.origin[k]) - (u * (a[k] + v * ab[k]) + v * b[k] + w * dw[k]);
     }
-};
+    determinant = Det(du, dv, dw);
+    if (determinant == 0) return 0;
+    const Vec move{Det(missing, dv, dw) / determinant, Det(du, missing, dw) / determinant,
+                   Det(du, dv, missing) / determinant};
+    for (std::size_t k = 0; k < 3; ++k) hex.at[k] = std::clamp(hex.at[k] + move[k], -0.5, 1.5);
+    return std::abs(move[0]) + std::abs(move[1]) + std::abs(move[2]);
+}
 
 /// Coordinates of the corners of a hexahedron.
 constexpr std::array<std::array<double, 3>, 8> kHexCorners = {
@@ -124,7 +122,7 @@ Index TetCells::CellOf(Index tet) const {
     return n_hexes_ + static_cast<Index>(after - polyhedron_tets_.begin()) - 1;
 }
 
-CellWeights TetCells::At(Index tet, const std::array<double, 3>& point) const {
+CellWeights TetCells::InTet(Index tet, const Vec& point) const {
     CellWeights result{.cell = CellOf(tet), .n = 4};
     std::array<Vec, 4> v;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -138,32 +136,52 @@ CellWeights TetCells::At(Index tet, const std::array<double, 3>& point) const {
     result.weights[3] = Det(v[1], v[0], v[2]) / det;
     result.weights[0] = 1 - result.weights[1] - result.weights[2] - result.weights[3];
     result.jacobian = det;
-    if (result.cell >= n_hexes_) return result;
+    return result;
+}
 
-    const Index* const corners =
-        &refiner_.polyhedral_level(level_).hex_vertices[8 * static_cast<std::size_t>(result.cell)];
-    HexMap map;
-    Vec at{};
+std::span<const Index, 8> TetCells::HexCorners(Index hex) const {
+    const Array<Index>& vertices = refiner_.polyhedral_level(level_).hex_vertices;
+    return std::span<const Index, 8>(&vertices[8 * static_cast<std::size_t>(hex)], 8);
+}
+
+/// The map of the cell, to begin at the tet's own coordinates, which are near.
+void TetCells::Load(const CellWeights& in_tet, HexMap& hex) const {
+    hex.cell = in_tet.cell;
+    const auto corners = HexCorners(hex.cell);
+    std::array<Vec, 8> x;
+    hex.at = {};
     for (std::size_t i = 0; i < 8; ++i) {
         const double* const p = &solid_.points[3 * static_cast<std::size_t>(corners[i])];
-        map.corners[i] = {p[0] - point[0], p[1] - point[1], p[2] - point[2]};
+        x[i] = {p[0], p[1], p[2]};
         for (std::size_t k = 0; k < 4; ++k) {
-            if (result.vertices[k] != corners[i]) continue;
-            for (std::size_t c = 0; c < 3; ++c) at[c] += result.weights[k] * kHexCorners[i][c];
+            if (in_tet.vertices[k] != corners[i]) continue;
+            for (std::size_t c = 0; c < 3; ++c) hex.at[c] += in_tet.weights[k] * kHexCorners[i][c];
         }
     }
-    // Newton from the tet's own coordinates, which are near.
-    for (int step = 0; step < 8; ++step) {
-        const auto [x, du, dv, dw] = map.At(at);
-        result.jacobian = Det(du, dv, dw);
-        if (result.jacobian == 0) break;
-        const Vec move{Det(x, dv, dw) / result.jacobian, Det(du, x, dw) / result.jacobian,
-                       Det(du, dv, x) / result.jacobian};
-        for (std::size_t c = 0; c < 3; ++c) at[c] = std::clamp(at[c] - move[c], -0.5, 1.5);
-        if (std::abs(move[0]) + std::abs(move[1]) + std::abs(move[2]) < 1e-12) break;
+    hex.origin = x[0];
+    for (std::size_t c = 0; c < 3; ++c) {
+        auto& [a, b, w, ab, aw, bw, abw] = hex.terms;
+        a[c] = x[1][c] - x[0][c];
+        b[c] = x[3][c] - x[0][c];
+        w[c] = x[4][c] - x[0][c];
+        ab[c] = (x[2][c] - x[3][c]) - a[c];
+        aw[c] = (x[5][c] - x[4][c]) - a[c];
+        bw[c] = (x[7][c] - x[4][c]) - b[c];
+        abw[c] = ((x[6][c] - x[7][c]) - (x[5][c] - x[4][c])) - ab[c];
     }
-    result.n = 8;
-    const auto weights = Trilinear(at);
+}
+
+CellWeights TetCells::At(Index tet, const Vec& point, HexMap& hex) const {
+    const Index cell = CellOf(tet);
+    if (cell >= n_hexes_) return InTet(tet, point);
+    if (hex.cell != cell) Load(InTet(tet, point), hex);
+    CellWeights result{.cell = cell, .n = 8};
+    for (int step = 0; step < 12; ++step) {
+        // Steps square what is missing: after one this short only rounding is.
+        if (StepTowards(point, hex, result.jacobian) < 1e-7) break;
+    }
+    const auto weights = Trilinear(hex.at);
+    const auto corners = HexCorners(cell);
     for (std::size_t i = 0; i < 8; ++i) {
         result.vertices[i] = corners[i];
         result.weights[i] = weights[i];

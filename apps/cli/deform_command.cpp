@@ -169,6 +169,14 @@ class DeformCommand {
         TellSettings();
     }
 
+    void TellNormalsThatStay() {
+        if (!NormalsOf(model_).empty() || (text_of_model_ && !text_of_model_->normals().empty())) {
+            session_.Note(options_.model +
+                          ": normals stay as they are: an embedding holds vertices alone; name the "
+                          "--lattice to carry them");
+        }
+    }
+
     void LoadEmbedding() {
         session_.Stage("load embedding");
         embedding_ = SolidSubdiv::Deform::Embedding::Load(options_.embedding);
@@ -176,11 +184,6 @@ class DeformCommand {
             throw InvalidInput(options_.embedding + ": holds " + Counted(embedding_->n_points(), "point", "points") +
                                ", " + options_.model + " has " +
                                Counted(model_.topology.n_vertices, "vertex", "vertices"));
-        }
-        if (!NormalsOf(model_).empty() || (text_of_model_ && !text_of_model_->normals().empty())) {
-            session_.Note(options_.model +
-                          ": normals stay as they are: an embedding holds vertices alone; name the "
-                          "--lattice to carry them");
         }
         json_["lattice"] = {{"embedding", options_.embedding}, {"control_points", embedding_->n_control_points()}};
         text_ += Counted(model_.topology.n_vertices, "vertex", "vertices") + " embedded among " +
@@ -255,6 +258,7 @@ class DeformCommand {
                               {.keep_octahedra = options_.keep_octahedra, .binary = !options_.ascii});
                 if (i == 0) TellLeftOut();
             }
+            if (i == 0 && !lattice_) TellNormalsThatStay();
             json_["states"].push_back(std::move(state));
             AddOutput("model", OutputName(i), outputs_[i]);
         }

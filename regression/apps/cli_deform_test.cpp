@@ -56,13 +56,6 @@ class CliDeform : public CliTest {
         bulged.positions[3 * 13 + 2] += 0.25;  // the middle point
         WriteMesh("bulged.vtu", bulged);
     }
-    std::string ErrorOf(const std::string& arguments, int status = 1) const {
-        const auto before = Names();
-        const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.status, status) << arguments << outcome.err;
-        EXPECT_EQ(Names(), before) << arguments;
-        return outcome.err;
-    }
 };
 
 TEST_F(CliDeform, AffineMapsOfTheLattice_AreThoseOfTheModelAndItsNormals) {

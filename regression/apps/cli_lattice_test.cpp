@@ -50,13 +50,6 @@ class CliLattice : public CliTest {
         }
         EXPECT_NEAR(volume, expected, 1e-9 * expected) << file;
     }
-    std::string ErrorOf(const std::string& arguments, int status = 1) const {
-        const auto before = Names();
-        const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.status, status) << arguments << outcome.err;
-        EXPECT_EQ(Names(), before) << arguments;
-        return outcome.err;
-    }
 };
 
 TEST_F(CliLattice, OfOneCell_HasThePublishedCounts) {

@@ -60,6 +60,16 @@ class CliTest : public testing::Test {
         return outcome;
     }
 
+    /// Runs it, and it must fail with one line, which it returns, and leave the folder as it was.
+    std::string ErrorOf(const std::string& arguments, int status = 1) const {
+        const auto before = Names();
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << "\n" << outcome.err;
+        EXPECT_EQ(Names(), before) << arguments;
+        return outcome.err;
+    }
+
     nlohmann::json Json(const std::string& arguments) const {
         const Outcome outcome = MustRun(arguments + " --json -");
         return nlohmann::json::parse(outcome.out, nullptr, false);

@@ -42,14 +42,6 @@ class CliVoxelize : public CliTest {
     double ValueAt(const Voxel::Grids& grids, const std::string& name, int x, int y, int z) const {
         return grids.Values(name, {x, y, z}, {x, y, z})[0];
     }
-    std::string ErrorOf(const std::string& arguments, int status = 1) const {
-        const auto before = Names();
-        const Outcome outcome = Run(arguments);
-        EXPECT_EQ(outcome.status, status) << arguments << outcome.err;
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << arguments << outcome.err;
-        EXPECT_EQ(Names(), before) << arguments;
-        return outcome.err;
-    }
     /// What a command prints, which must succeed.
     std::string Tool(const std::string& command) const {
         const std::string out = (folder / "tool.txt").string();

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 
 #include <solidsubdiv/apps/deform/direct_manipulation.h>
@@ -11,30 +10,15 @@
 #include <solidsubdiv/apps/deform/octree_lattices.h>
 
 #include "apps/deform/sphere_testing.h"
+#include "page_code.h"
 
 namespace SolidSubdiv::Deform {
 namespace {
 
-/// Lines of a file without blanks, so that indentation and line ends' comments may be formatted otherwise.
-std::string WithoutBlanks(const std::string& path, bool code_only) {
-    std::ifstream stream(std::string(SOLIDSUBDIV_SOURCE) + path);
-    std::string text, line;
-    bool is_code = !code_only;
-    while (std::getline(stream, line)) {
-        if (code_only && line.starts_with("```")) {
-            is_code = line == "```cpp";
-            continue;
-        }
-        if (!is_code) continue;
-        for (char c : line.substr(0, line.find("//"))) text += c == ' ' ? "" : std::string(1, c);
-    }
-    return text;
-}
-
 TEST(EditingPage, HasTheCodeOfThisTest) {
-    const std::string page = WithoutBlanks("/docs/editing.md", true);
+    const std::string page = CodeWithoutBlanks("/docs/editing.md");
     ASSERT_GT(page.size(), 500u);
-    const std::string test = WithoutBlanks("/regression/apps/deform/editing_page_test.cpp", false);
+    const std::string test = CodeWithoutBlanks("/regression/apps/deform/editing_page_test.cpp");
     const std::size_t second = page.find("conststd::vector<Deform::DragTarget>");
     EXPECT_THAT(test, testing::HasSubstr(page.substr(0, second)));
     EXPECT_THAT(test, testing::HasSubstr(page.substr(second)));

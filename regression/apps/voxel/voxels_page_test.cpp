@@ -3,35 +3,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 
 #include <solidsubdiv/apps/voxel/voxelize.h>
 #include <solidsubdiv/far/primvar_refiner.h>
 
+#include "page_code.h"
+
 namespace SolidSubdiv {
 namespace {
 
-/// Lines of a file, of a page the code alone, without blanks and comments.
-std::string Code(const std::string& path, bool is_page) {
-    std::ifstream stream(std::string(SOLIDSUBDIV_SOURCE) + path);
-    std::string text, line;
-    bool is_code = !is_page;
-    while (std::getline(stream, line)) {
-        if (is_page && line.starts_with("```")) {
-            is_code = line == "```cpp";
-            continue;
-        }
-        if (!is_code || line.starts_with("#include")) continue;
-        for (char c : line.substr(0, line.find("//"))) text += c == ' ' ? "" : std::string(1, c);
-    }
-    return text;
-}
-
 TEST(VoxelsPage, HasTheCodeOfThisTest) {
-    const std::string page = Code("/docs/voxels.md", true);
+    const std::string page = CodeWithoutBlanks("/docs/voxels.md");
     ASSERT_GT(page.size(), 400u);
-    EXPECT_THAT(Code("/regression/apps/voxel/voxels_page_test.cpp", false), testing::HasSubstr(page));
+    EXPECT_THAT(CodeWithoutBlanks("/regression/apps/voxel/voxels_page_test.cpp"), testing::HasSubstr(page));
 }
 
 TEST(VoxelsPage, CodeRuns) {

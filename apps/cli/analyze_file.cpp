@@ -61,10 +61,7 @@ RefinementSettings Settings(const Io::Mesh& mesh, const SchemeOptions& options) 
     const MeshKind kind{mesh.topology.n_cells() > 0, IsTetOct(mesh.topology)};
     RefinementSettings settings;
     settings.choice = MakeScheme(WithFileOptions(options, mesh.scheme_options, kind), kind);
-    RequireKinds(mesh.topology, settings.choice.scheme);
-    const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(settings.choice.scheme, Sdc::Split::TetOct);
-    settings.split = is_cut_so || !Sdc::Takes(settings.choice.scheme, Sdc::Split::Polyhedral) ? Sdc::Split::TetOct
-                                                                                              : Sdc::Split::Polyhedral;
+    settings.split = SplitFor(mesh.topology, settings.choice.scheme);
     settings.levels = 0;
     return settings;
 }

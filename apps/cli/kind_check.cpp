@@ -58,4 +58,10 @@ void RequireKinds(const Io::Topology& topology, const Sdc::Scheme& scheme) {
                        (has_boundary ? ", or refine the boundary alone" : ""));
 }
 
+Sdc::Split SplitFor(const Io::Topology& topology, const Sdc::Scheme& scheme) {
+    RequireKinds(topology, scheme);
+    const bool is_cut_so = IsTetOct(topology) && Sdc::Takes(scheme, Sdc::Split::TetOct);
+    return is_cut_so || !Sdc::Takes(scheme, Sdc::Split::Polyhedral) ? Sdc::Split::TetOct : Sdc::Split::Polyhedral;
+}
+
 }  // namespace SolidSubdiv::Cli

@@ -11,4 +11,8 @@ namespace SolidSubdiv::Cli {
 /// choose
 void RequireKinds(const Io::Topology& topology, const Sdc::Scheme& scheme);
 
+/// RequireKinds, and how the mesh is cut then: tets, octs, triangles and edges alone as such, where the scheme has
+/// rules for them.
+Sdc::Split SplitFor(const Io::Topology& topology, const Sdc::Scheme& scheme);
+
 }  // namespace SolidSubdiv::Cli

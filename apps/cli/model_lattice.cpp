@@ -20,9 +20,7 @@ ModelLattice::ModelLattice(const std::string& file, const SchemeOptions& options
     option_values_ = OptionValues(options, scheme);
     option_values_.emplace_back("diagonals", options.diagonals);
     About(file, [&] {
-        RequireKinds(mesh_.topology, scheme);
-        const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(scheme, Sdc::Split::TetOct);
-        settings_.split = is_cut_so ? Sdc::Split::TetOct : Sdc::Split::Polyhedral;
+        settings_.split = SplitFor(mesh_.topology, scheme);
         settings_.levels = 0;
         refinement_ = std::make_unique<Refinement>(mesh_, settings_, session);
     });

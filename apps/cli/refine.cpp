@@ -99,12 +99,7 @@ class RefineCommand {
             return option.first == "boundary" && option.second == "none";
         };
         settings.choice = MakeScheme(scheme, kind);
-        About(options_.input, [&] { RequireKinds(topology, settings.choice.scheme); });
-        // Tets, octs and triangles are cut as such where the scheme has rules for them.
-        const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(settings.choice.scheme, Sdc::Split::TetOct);
-        settings.split = is_cut_so || !Sdc::Takes(settings.choice.scheme, Sdc::Split::Polyhedral)
-                             ? Sdc::Split::TetOct
-                             : Sdc::Split::Polyhedral;
+        settings.split = About(options_.input, [&] { return SplitFor(topology, settings.choice.scheme); });
         settings.drop_border =
             options_.drop_border || std::any_of(mesh.scheme_options.begin(), mesh.scheme_options.end(), asks_to_drop);
         settings.keep_creases = FormatFor(options_.output).creases;

@@ -93,9 +93,7 @@ class VoxelizeCommand {
         RefinementSettings settings;
         settings.choice = MakeScheme(scheme, kind);
         const Sdc::Scheme& s = settings.choice.scheme;
-        About(options_.input, [&] { RequireKinds(mesh.topology, s); });
-        const bool is_cut_so = kind.is_tet_oct && Sdc::Takes(s, Sdc::Split::TetOct);
-        if (!is_cut_so && Sdc::Takes(s, Sdc::Split::Polyhedral)) settings.split = Sdc::Split::Polyhedral;
+        settings.split = About(options_.input, [&] { return SplitFor(mesh.topology, s); });
         settings.levels = options_.levels;
         settings.orient = Geometry::OrientationPolicyOf(options_.orient);
         settings.limit = options_.limit || options_.tolerance > 0;

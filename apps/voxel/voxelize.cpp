@@ -215,14 +215,21 @@ Grids Voxelize(const Far::TopologyRefiner& refiner, int level, std::span<const d
     RequireRoom(solid, options);
     Grids result;
     openvdb::GridPtrVec& grids = result.state().grids;
-    if (options.kind != Kind::Fog) grids.push_back(MakeLevelSet(Tiles(solid, options.half_width, false), options));
-    // Parts of a voxel are less than 0.87 from its centre.
     const bool wants_inside = !options.attributes.empty() || options.jacobian || options.cell_id || options.level_id;
-    if (options.kind == Kind::LevelSet && !wants_inside) return result;
-    const Tiles tiles(solid, 1, wants_inside);
-    if (options.kind != Kind::LevelSet) grids.push_back(MakeFog(tiles, options));
-    if (wants_inside) {
+    const auto add_inside = [&](const Tiles& tiles) {
+        if (!wants_inside) return;
         for (auto& grid : MakeAttributeGrids(tiles, refiner, level, options)) grids.push_back(std::move(grid));
+    };
+    if (options.kind != Kind::Fog) {
+        const bool is_last = options.kind == Kind::LevelSet;
+        const Tiles tiles(solid, options.half_width, is_last && wants_inside);
+        grids.push_back(MakeLevelSet(tiles, options));
+        if (is_last) add_inside(tiles);
+    }
+    if (options.kind != Kind::LevelSet) {
+        const Tiles tiles(solid, 1, wants_inside);  // parts of voxels are less than 0.87 from its centre
+        grids.push_back(MakeFog(tiles, options));
+        add_inside(tiles);
     }
     return result;
 }

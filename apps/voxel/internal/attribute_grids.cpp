@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cell of each voxel is found once and gives all values there.
+// The piece of each voxel is found once and gives all values there.
 #include <solidsubdiv/apps/voxel/internal/attribute_grids.h>
 
-#include <solidsubdiv/apps/voxel/internal/voxel_solid.h>
+#include <solidsubdiv/apps/voxel/internal/piece_maps.h>
 #include <solidsubdiv/sdc/parallel.h>
 
 #include <algorithm>
@@ -17,20 +17,22 @@ class Sink {
   public:
     virtual ~Sink() = default;
     virtual void Begin(std::size_t n_tiles) = 0;
-    virtual void Start(std::size_t i, const Place& origin) = 0;
-    /// The value of a voxel of tile i of the batch.
-    virtual void Put(std::size_t i, int voxel, const CellWeights& at) = 0;
+    virtual void Start(std::size_t i, const Place& origin, const VoxelSet& active) = 0;
+    /// Values in a piece, for tile i of the batch.
+    virtual void Put(std::size_t i, const PlacesInPiece& places) = 0;
     virtual void End() = 0;  ///< puts the batch into the grid
     virtual openvdb::GridBase::Ptr grid() = 0;
 };
 
-template <class Grid, class ValueOf>
+/// fill(places, values) writes the values at places.voxels.
+template <class Grid, class Fill>
 class GridSink : public Sink {
   public:
     using Leaf = typename Grid::TreeType::LeafNodeType;
+    static_assert(Leaf::DIM == kTileSide);
 
-    GridSink(const std::string& name, const typename Grid::ValueType& background, double voxel_size, ValueOf value_of)
-        : grid_(Grid::create(background)), value_of_(value_of) {
+    GridSink(const std::string& name, const typename Grid::ValueType& background, double voxel_size, Fill fill)
+        : grid_(Grid::create(background)), fill_(fill) {
         grid_->setName(name);
         grid_->setTransform(openvdb::math::Transform::createLinearTransform(voxel_size));
     }
@@ -38,13 +40,14 @@ class GridSink : public Sink {
         leaves_.clear();
         leaves_.resize(n_tiles);
     }
-    void Start(std::size_t i, const Place& origin) override {
+    void Start(std::size_t i, const Place& origin, const VoxelSet& active) override {
         leaves_[i] = std::make_unique<Leaf>(openvdb::Coord(origin[0], origin[1], origin[2]), grid_->background());
         leaves_[i]->allocate();
+        openvdb::util::NodeMask<3> mask;
+        for (openvdb::Index x = 0; x < kTileSide; ++x) mask.getWord<std::uint64_t>(x) = active[x];
+        leaves_[i]->setValueMask(mask);
     }
-    void Put(std::size_t i, int voxel, const CellWeights& at) override {
-        leaves_[i]->setValueOn(static_cast<openvdb::Index>(voxel), value_of_(at));
-    }
+    void Put(std::size_t i, const PlacesInPiece& places) override { fill_(places, leaves_[i]->buffer().data()); }
     void End() override {
         for (auto& leaf : leaves_) {
             if (leaf) grid_->tree().addLeaf(leaf.release());
@@ -54,53 +57,68 @@ class GridSink : public Sink {
 
   private:
     typename Grid::Ptr grid_;
-    ValueOf value_of_;
+    Fill fill_;
     std::vector<std::unique_ptr<Leaf>> leaves_;
 };
 
-template <class Grid, class ValueOf>
+template <class Grid, class Fill>
 std::unique_ptr<Sink> MakeSink(const std::string& name, const typename Grid::ValueType& background, double voxel_size,
-                               ValueOf value_of) {
-    return std::make_unique<GridSink<Grid, ValueOf>>(name, background, voxel_size, value_of);
+                               Fill fill) {
+    return std::make_unique<GridSink<Grid, Fill>>(name, background, voxel_size, fill);
 }
 
-double SumOf(const CellWeights& at, const Attribute& a, int component) {
-    double sum = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(at.n); ++k) {
-        const auto row = static_cast<std::size_t>(at.vertices[k]) * static_cast<std::size_t>(a.width);
-        sum += at.weights[k] * a.values[row + static_cast<std::size_t>(component)];
-    }
-    return sum;
+/// Calls put(voxel, number) with a component of an attribute.
+template <class Put>
+void ForComponent(const PlacesInPiece& places, const Attribute& a, std::size_t component, Put&& put) {
+    const auto width = static_cast<std::size_t>(a.width);
+    std::array<float, kTileVoxels> values;
+    const std::size_t n = places.voxels.size();
+    places.Evaluate(places.Between([&](Index v) { return a.values[static_cast<std::size_t>(v) * width + component]; }),
+                    std::span(values).first(n));
+    for (std::size_t i = 0; i < n; ++i) put(places.voxels[i], values[i]);
+}
+
+template <class Value, class ValueOf>
+void PutEach(const PlacesInPiece& places, Value* out, ValueOf&& value_of) {
+    for (std::size_t i = 0; i < places.voxels.size(); ++i) out[places.voxels[i]] = value_of(i);
 }
 
 std::vector<std::unique_ptr<Sink>> MakeSinks(int level, const VoxelizeOptions& o) {
+    using openvdb::FloatGrid, openvdb::Vec3SGrid, openvdb::Int32Grid, openvdb::Vec3s;
     std::vector<std::unique_ptr<Sink>> sinks;
     for (const Attribute& a : o.attributes) {
         if (a.width == 1) {
-            sinks.push_back(MakeSink<openvdb::FloatGrid>(a.name, 0.0f, o.voxel_size, [&a](const CellWeights& at) {
-                return static_cast<float>(SumOf(at, a, 0));
+            sinks.push_back(MakeSink<FloatGrid>(a.name, 0.0f, o.voxel_size, [&a](const PlacesInPiece& at, float* out) {
+                ForComponent(at, a, 0, [&](int voxel, float x) { out[voxel] = x; });
             }));
         } else {
-            sinks.push_back(MakeSink<openvdb::Vec3SGrid>(
-                a.name, openvdb::Vec3s(0, 0, 0), o.voxel_size, [&a](const CellWeights& at) {
-                    return openvdb::Vec3s(static_cast<float>(SumOf(at, a, 0)), static_cast<float>(SumOf(at, a, 1)),
-                                          static_cast<float>(SumOf(at, a, 2)));
+            sinks.push_back(
+                MakeSink<Vec3SGrid>(a.name, Vec3s(0, 0, 0), o.voxel_size, [&a](const PlacesInPiece& at, Vec3s* out) {
+                    for (int c = 0; c < 3; ++c) {
+                        ForComponent(at, a, static_cast<std::size_t>(c),
+                                     [&](int voxel, float x) { out[voxel][c] = x; });
+                    }
                 }));
         }
     }
     if (o.jacobian) {
         const double cube = o.voxel_size * o.voxel_size * o.voxel_size;
-        sinks.push_back(MakeSink<openvdb::FloatGrid>("jacobian", 0.0f, o.voxel_size, [cube](const CellWeights& at) {
-            return static_cast<float>(at.jacobian * cube);
-        }));
+        sinks.push_back(
+            MakeSink<FloatGrid>("jacobian", 0.0f, o.voxel_size, [cube](const PlacesInPiece& at, float* out) {
+                PutEach(at, out, [&](std::size_t i) { return static_cast<float>(at.jacobian[i] * cube); });
+            }));
     }
     if (o.cell_id) {
         sinks.push_back(
-            MakeSink<openvdb::Int32Grid>("cell_id", -1, o.voxel_size, [](const CellWeights& at) { return at.cell; }));
+            MakeSink<Int32Grid>("cell_id", -1, o.voxel_size, [](const PlacesInPiece& at, std::int32_t* out) {
+                PutEach(at, out, [&](std::size_t) { return at.cell; });
+            }));
     }
     if (o.level_id) {
         sinks.push_back(
-            MakeSink<openvdb::Int32Grid>("level", -1, o.voxel_size, [level](const CellWeights&) { return level; }));
+            MakeSink<Int32Grid>("level", -1, o.voxel_size, [level](const PlacesInPiece& at, std::int32_t* out) {
+                PutEach(at, out, [&](std::size_t) { return level; });
+            }));
     }
     return sinks;
 }
@@ -109,7 +127,7 @@ std::vector<std::unique_ptr<Sink>> MakeSinks(int level, const VoxelizeOptions& o
 
 openvdb::GridPtrVec MakeAttributeGrids(const Tiles& tiles, const Far::TopologyRefiner& refiner, int level,
                                        const VoxelizeOptions& options) {
-    const TetCells cells(refiner, level, tiles.solid());
+    const PieceMaps maps(refiner, level, tiles.solid());
     std::vector<Index> all(tiles.near_boundary().begin(), tiles.near_boundary().end());
     all.insert(all.end(), tiles.others().begin(), tiles.others().end());
     const auto sinks = MakeSinks(level, options);
@@ -119,21 +137,21 @@ openvdb::GridPtrVec MakeAttributeGrids(const Tiles& tiles, const Far::TopologyRe
         const std::size_t n_now = std::min(kBatch, all.size() - first);
         for (const auto& sink : sinks) sink->Begin(n_now);
         Sdc::ParallelFor(static_cast<Offset>(n_now), 4, [&](Offset begin, Offset end) {
+            PlacesInPiece places;
             for (Offset i = begin; i < end; ++i) {
                 const auto place = static_cast<std::size_t>(i);
                 const Index tile = all[first + place];
-                std::array<Index, kTileVoxels> owners;
-                tiles.FindOwners(tile, owners);
-                if (std::all_of(owners.begin(), owners.end(), [](Index t) { return t == kNoIndex; })) continue;
+                const std::vector<OwnedVoxels> owners = tiles.FindOwners(tile);
+                if (owners.empty()) continue;
+                VoxelSet active{};
+                for (const OwnedVoxels& owned : owners) {
+                    for (std::size_t x = 0; x < active.size(); ++x) active[x] |= owned.voxels[x];
+                }
                 const Place origin = tiles.Origin(tile);
-                HexMap hex;  // of this tile alone: the same bits whatever tiles a thread has
-                for (const auto& sink : sinks) sink->Start(place, origin);
-                for (int v = 0; v < kTileVoxels; ++v) {
-                    const Index tet = owners[static_cast<std::size_t>(v)];
-                    if (tet == kNoIndex) continue;
-                    const CellWeights at = cells.At(
-                        tet, {origin[0] + v / 64 + 0.0, origin[1] + v / 8 % 8 + 0.0, origin[2] + v % 8 + 0.0}, hex);
-                    for (const auto& sink : sinks) sink->Put(place, v, at);
+                for (const auto& sink : sinks) sink->Start(place, origin, active);
+                for (const OwnedVoxels& owned : owners) {
+                    maps.Locate(owned, origin, places);
+                    for (const auto& sink : sinks) sink->Put(place, places);
                 }
             }
         });

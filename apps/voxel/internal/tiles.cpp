@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tiles are found by boxes; in a tile tets are intersected with rows of voxels.
+// Tiles are found by boxes.
 #include <solidsubdiv/apps/voxel/internal/tiles.h>
 
 #include <algorithm>
@@ -48,87 +48,47 @@ Vec Cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A tet as the points on the inner side of four planes; one that is inverted counts as it would the other way round,
-/// a flat one holds nothing.
-struct TetPlanes {
-    std::array<Vec, 4> normal;
-    std::array<double, 4> offset;
-    Box box;
-
-    /// Points so far outside, in voxels, are held: what lies on a face is in both cells, whatever rounding does. Of a
-    /// tet that is all but flat no farther than a thousandth of its height.
-    static constexpr double kSlack = 1e-9, kSlackOfHeight = 1e-3;
-
-    bool Make(const std::array<Vec, 4>& v) {
-        static constexpr std::size_t faces[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
-        const double det = Dot(Minus(v[1], v[0]), Cross(Minus(v[2], v[0]), Minus(v[3], v[0])));
-        if (det == 0) return false;
-        for (std::size_t f = 0; f < 4; ++f) {
-            const Vec& a = v[faces[f][0]];
-            Vec n = Cross(Minus(v[faces[f][1]], a), Minus(v[faces[f][2]], a));
-            if (Dot(n, Minus(v[f], a)) < 0) {
-                for (double& x : n) x = -x;
-            }
-            normal[f] = n;
-            offset[f] = std::min(kSlack * std::sqrt(Dot(n, n)), kSlackOfHeight * std::abs(det)) - Dot(n, a);
-        }
-        for (const Vec& p : v) box.Include(p.data());
-        return true;
-    }
-
-    /// The z in [start, last] at which a row of points (x, y, z) is in the tet: [first, second], empty if first >
-    /// second.
-    std::array<double, 2> Row(double x, double y, double start, double last) const {
-        double low = std::max(start, box.low[2] - kSlack), high = std::min(last, box.high[2] + kSlack);
-        for (std::size_t f = 0; f < 4; ++f) {
-            const double c = normal[f][2], rest = normal[f][0] * x + normal[f][1] * y + offset[f];
-            if (c > 0) {
-                low = std::max(low, -rest / c);
-            } else if (c < 0) {
-                high = std::min(high, -rest / c);
-            } else if (rest < 0) {
-                return {1, 0};
-            }
-        }
-        return {low, high};
-    }
-};
-
-/// Calls row(x, y, first z, last z) for the rows of a grid of n^3 points, `step` apart from `start` on, that a tet
-/// holds a part of. Coordinates are relative to the tile.
-template <class RowOf>
-void ForRows(const TetPlanes& tet, int n, double start, double step, RowOf&& row) {
-    const auto range = [&](std::size_t c) {
-        const double low = (tet.box.low[c] - start) / step, high = (tet.box.high[c] - start) / step;
-        return std::array<int, 2>{static_cast<int>(std::ceil(std::clamp(low - 1e-6, 0.0, n + 0.0))),
-                                  static_cast<int>(std::floor(std::clamp(high + 1e-6, -1.0, n - 1.0)))};
-    };
-    const auto xs = range(0), ys = range(1);
-    for (int x = xs[0]; x <= xs[1]; ++x) {
-        for (int y = ys[0]; y <= ys[1]; ++y) {
-            const auto z = tet.Row(start + step * x, start + step * y, start, start + step * (n - 1));
-            if (!(z[0] <= z[1])) continue;  // planes of nearly flat tets are met at heights that no int holds
-            const int first = static_cast<int>(std::ceil((z[0] - start) / step));
-            const int last = static_cast<int>(std::floor((z[1] - start) / step));
-            if (first <= last && last >= 0 && first < n) row(x, y, std::max(first, 0), std::min(last, n - 1));
-        }
-    }
-}
-
-/// Tets of a negative determinant. Where they meet others the solid is folded and may end where no boundary is.
-std::vector<char> FindInverted(const VoxelSolid& solid) {
-    std::vector<char> is_inverted(solid.tets.size() / 4);
-    Sdc::ParallelFor(static_cast<Offset>(is_inverted.size()), 4096, [&](Offset begin, Offset end) {
-        for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t) {
-            std::array<Vec, 4> v;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const double* const p = &solid.points[3 * static_cast<std::size_t>(solid.tets[4 * t + k])];
-                v[k] = {p[0], p[1], p[2]};
-            }
-            is_inverted[t] = Dot(Minus(v[1], v[0]), Cross(Minus(v[2], v[0]), Minus(v[3], v[0]))) < 0;
+/// For each element the tiles with voxels within reach of its box.
+template <class CornersOf>
+std::vector<std::array<Place, 2>> FindBoxes(Index n, double reach, const std::vector<double>& points,
+                                            CornersOf&& corners_of) {
+    std::vector<std::array<Place, 2>> boxes(static_cast<std::size_t>(n));
+    Sdc::ParallelFor(n, 4096, [&](Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i) {
+            Box box;
+            for (Index v : corners_of(static_cast<Index>(i))) box.Include(&points[3 * static_cast<std::size_t>(v)]);
+            boxes[static_cast<std::size_t>(i)] = box.TilesWithin(reach);
         }
     });
-    return is_inverted;
+    return boxes;
+}
+
+/// Which way round the tets of a piece are.
+enum Side : char { kRight, kInverted, kBoth };
+
+Side SideOf(const VoxelSolid& solid, Index piece) {
+    bool has[2] = {false, false};
+    const auto tets = solid.TetsOf(piece);
+    for (std::size_t t = 0; t < tets.size(); t += 4) {
+        std::array<Vec, 4> v;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double* const p = &solid.points[3 * static_cast<std::size_t>(tets[t + k])];
+            v[k] = {p[0], p[1], p[2]};
+        }
+        has[Dot(Minus(v[1], v[0]), Cross(Minus(v[2], v[0]), Minus(v[3], v[0]))) < 0] = true;
+    }
+    return has[0] && has[1] ? kBoth : has[1] ? kInverted : kRight;
+}
+
+/// Where pieces of both sides meet the solid is folded and may end where no boundary is.
+std::vector<Side> FindSides(const VoxelSolid& solid) {
+    std::vector<Side> sides(static_cast<std::size_t>(solid.n_pieces()));
+    Sdc::ParallelFor(solid.n_pieces(), 1024, [&](Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i) {
+            sides[static_cast<std::size_t>(i)] = SideOf(solid, static_cast<Index>(i));
+        }
+    });
+    return sides;
 }
 
 }  // namespace
@@ -144,41 +104,41 @@ Tiles::Tiles(const VoxelSolid& solid, double reach, bool wants_others) : solid_(
     const auto tiles = BoxOf(solid).TilesWithin(reach);
     low_ = tiles[0];
     for (std::size_t c = 0; c < 3; ++c) n_[c] = tiles[1][c] - tiles[0][c] + 1;
-    triangles_ = FindNear<3>(solid.triangles, reach, true);
-    const std::vector<char> is_inverted = FindInverted(solid);
-    const auto n_inverted = static_cast<std::size_t>(std::count(is_inverted.begin(), is_inverted.end(), true));
-    const bool is_folded = n_inverted > 0 && n_inverted < is_inverted.size();
-    tets_ = FindNear<4>(solid.tets, 0.5, wants_others || is_folded);  // parts of voxels are asked for too
+    triangles_ = FindNear(
+        FindBoxes(
+            static_cast<Index>(solid.triangles.size() / 3), reach, solid.points,
+            [&](Index t) { return std::span<const Index, 3>(&solid.triangles[3 * static_cast<std::size_t>(t)], 3); }),
+        true);
+    const std::vector<Side> sides = FindSides(solid);
+    const bool is_folded = std::any_of(sides.begin(), sides.end(), [&](Side s) { return s == kBoth || s != sides[0]; });
+    // Parts of voxels are asked for too.
+    pieces_ = FindNear(FindBoxes(solid.n_pieces(), 0.5, solid.points, [&](Index p) { return solid.TetsOf(p); }),
+                       wants_others || is_folded);
     const auto differ = [&](Index tile) {
-        const auto tets = tets_[tile];
-        return std::any_of(tets.begin(), tets.end(), [&](Index t) {
-            return is_inverted[static_cast<std::size_t>(t)] != is_inverted[static_cast<std::size_t>(tets[0])];
+        const auto pieces = pieces_[tile];
+        return std::any_of(pieces.begin(), pieces.end(), [&](Index p) {
+            const Side side = sides[static_cast<std::size_t>(p)];
+            return side == kBoth || side != sides[static_cast<std::size_t>(pieces[0])];
         });
     };
     for (Index tile = 0; tile < CountAll(); ++tile) {
         if (!triangles_[tile].empty() || (is_folded && differ(tile))) {
             near_boundary_.push_back(tile);
-        } else if (!tets_[tile].empty()) {
+        } else if (!pieces_[tile].empty()) {
             others_.push_back(tile);
         }
     }
 }
 
-template <int kCorners>
-Tiles::Near Tiles::FindNear(std::span<const Index> elements, double reach, bool wants_others) const {
+Tiles::Near Tiles::FindNear(std::span<const std::array<Place, 2>> boxes, bool wants_all) const {
     const auto visit = [&](auto&& add) {
-        const auto n = static_cast<Index>(elements.size() / kCorners);
-        for (Index i = 0; i < n; ++i) {
-            Box box;
-            for (int k = 0; k < kCorners; ++k) {
-                box.Include(&solid_.points[3 * static_cast<std::size_t>(elements[kCorners * i + k])]);
-            }
-            const auto tiles = box.TilesWithin(reach);
-            for (int x = tiles[0][0] - low_[0]; x <= tiles[1][0] - low_[0]; ++x) {
-                for (int y = tiles[0][1] - low_[1]; y <= tiles[1][1] - low_[1]; ++y) {
-                    for (int z = tiles[0][2] - low_[2]; z <= tiles[1][2] - low_[2]; ++z) {
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const auto& [first, last] = boxes[i];
+            for (int x = first[0] - low_[0]; x <= last[0] - low_[0]; ++x) {
+                for (int y = first[1] - low_[1]; y <= last[1] - low_[1]; ++y) {
+                    for (int z = first[2] - low_[2]; z <= last[2] - low_[2]; ++z) {
                         const Index tile = (x * n_[1] + y) * n_[2] + z;
-                        if (wants_others || !triangles_[tile].empty()) add(tile, i);
+                        if (wants_all || !triangles_[tile].empty()) add(tile, static_cast<Index>(i));
                     }
                 }
             }
@@ -210,13 +170,21 @@ void Tiles::SquaredDistances(Index tile, std::span<float, kTileVoxels> squares) 
     }
 }
 
-std::array<Vec, 4> Tiles::Tet(Index tet, const Place& origin) const {
-    std::array<Vec, 4> v;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double* const p = &solid_.points[3 * static_cast<std::size_t>(solid_.tets[4 * tet + k])];
-        for (std::size_t c = 0; c < 3; ++c) v[k][c] = p[c] - origin[c];
+template <class Use>
+void Tiles::ForRows(Index tile, const PointGrid& grid, Use&& use) const {
+    const Place origin = Origin(tile);
+    std::vector<Row> rows(static_cast<std::size_t>(grid.n) * static_cast<std::size_t>(grid.n));
+    for (Index piece : pieces_[tile]) {
+        const auto tets = solid_.TetsOf(piece);
+        for (std::size_t t = 0; t < tets.size(); t += 4) {
+            Tet v;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double* const p = &solid_.points[3 * static_cast<std::size_t>(tets[t + k])];
+                for (std::size_t c = 0; c < 3; ++c) v[k][c] = p[c] - origin[c];
+            }
+            for (const Row& row : std::span(rows).first(FindRows(v, grid, rows))) use(piece, row);
+        }
     }
-    return v;
 }
 
 std::uint8_t SidesInside(const VoxelSet& inside) {
@@ -264,49 +232,46 @@ std::vector<Index> Tiles::OthersInside(std::span<const std::uint8_t> beside) con
     return inside;
 }
 
+namespace {
+
+/// Of a tile's voxels.
+constexpr PointGrid kCentres{.n = kTileSide, .start = 0, .step = 1};
+
+std::uint64_t BitsOf(const Row& row) {
+    return ((std::uint64_t{2} << row.last) - (std::uint64_t{1} << row.first)) << (8 * row.y);
+}
+
+}  // namespace
+
 VoxelSet Tiles::Inside(Index tile) const {
-    const Place origin = Origin(tile);
     VoxelSet inside{};
-    for (Index t : tets_[tile]) {
-        TetPlanes tet;
-        if (!tet.Make(Tet(t, origin))) continue;
-        ForRows(tet, kTileSide, 0, 1, [&](int x, int y, int first, int last) {
-            inside[static_cast<std::size_t>(x)] |= ((std::uint64_t{2} << last) - (std::uint64_t{1} << first))
-                                                   << (8 * y);
-        });
-    }
+    ForRows(tile, kCentres, [&](Index, const Row& row) { inside[static_cast<std::size_t>(row.x)] |= BitsOf(row); });
     return inside;
 }
 
-void Tiles::FindOwners(Index tile, std::span<Index, kTileVoxels> tets) const {
-    const Place origin = Origin(tile);
-    std::fill(tets.begin(), tets.end(), kNoIndex);
-    for (Index t : tets_[tile]) {  // ascending
-        TetPlanes tet;
-        if (!tet.Make(Tet(t, origin))) continue;
-        ForRows(tet, kTileSide, 0, 1, [&](int x, int y, int first, int last) {
-            for (int z = first; z <= last; ++z) {
-                Index& owner = tets[static_cast<std::size_t>(64 * x + 8 * y + z)];
-                if (owner == kNoIndex) owner = t;
-            }
-        });
-    }
+std::vector<OwnedVoxels> Tiles::FindOwners(Index tile) const {
+    std::vector<OwnedVoxels> owners;
+    VoxelSet taken{};
+    ForRows(tile, kCentres, [&](Index piece, const Row& row) {
+        const auto x = static_cast<std::size_t>(row.x);
+        const std::uint64_t mine = BitsOf(row) & ~taken[x];
+        if (mine == 0) return;
+        taken[x] |= mine;
+        if (owners.empty() || owners.back().piece != piece) owners.push_back({piece, {}});
+        owners.back().voxels[x] |= mine;
+    });
+    return owners;
 }
 
 void Tiles::CountInside(Index tile, int fineness, std::span<std::uint16_t, kTileVoxels> counts) const {
-    const Place origin = Origin(tile);
     const int n = kTileSide * fineness;
     std::vector<bool> is_inside(static_cast<std::size_t>(n) * static_cast<std::size_t>(n) *
                                 static_cast<std::size_t>(n));
-    const double step = 1.0 / fineness, start = step / 2 - 0.5;
-    for (Index t : tets_[tile]) {
-        TetPlanes tet;
-        if (!tet.Make(Tet(t, origin))) continue;
-        ForRows(tet, n, start, step, [&](int x, int y, int first, int last) {
-            const auto row = is_inside.begin() + (x * n + y) * n;
-            std::fill(row + first, row + last + 1, true);
-        });
-    }
+    const double step = 1.0 / fineness;
+    ForRows(tile, {.n = n, .start = step / 2 - 0.5, .step = step}, [&](Index, const Row& row) {
+        const auto begin = is_inside.begin() + (row.x * n + row.y) * n;
+        std::fill(begin + row.first, begin + row.last + 1, true);
+    });
     std::fill(counts.begin(), counts.end(), std::uint16_t{0});
     std::size_t i = 0;
     for (int x = 0; x < n; ++x) {

@@ -5,11 +5,13 @@
 // (x, y, z) is number 64 x + 8 y + z, as in a leaf of OpenVDB.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include <solidsubdiv/apps/voxel/internal/tet_rows.h>
 #include <solidsubdiv/sdc/types.h>
 
 namespace SolidSubdiv::Voxel::Internal {
@@ -19,11 +21,21 @@ inline constexpr int kTileVoxels = kTileSide * kTileSide * kTileSide;
 
 using Place = std::array<int, 3>;  ///< of a voxel; of a tile its first voxel
 
-/// A solid in the coordinates of voxels: its cells cut into tets, and the triangles of its boundary.
+/// A solid in the coordinates of voxels: its cells cut into tets, and the triangles of its boundary. Pieces are what
+/// one map goes for: a hexahedron, which is six tets, or a tet of another cell.
 struct VoxelSolid {
     std::vector<double> points;    ///< (n, 3)
     std::vector<Index> tets;       ///< (n, 4)
     std::vector<Index> triangles;  ///< (n, 3)
+    Index n_hexes = 0;             ///< their tets come first
+
+    Index n_pieces() const { return static_cast<Index>(tets.size() / 4) - 5 * n_hexes; }
+    Index FirstTet(Index piece) const { return piece + 5 * std::min(piece, n_hexes); }
+    std::span<const Index> TetsOf(Index piece) const {
+        const auto first = static_cast<std::size_t>(FirstTet(piece)),
+                   end = static_cast<std::size_t>(FirstTet(piece + 1));
+        return {tets.data() + 4 * first, 4 * (end - first)};
+    }
 };
 
 /// Which voxels of a tile.
@@ -33,6 +45,12 @@ inline bool Holds(const VoxelSet& set, int voxel) {
     return set[static_cast<std::size_t>(voxel) / 64] >> (voxel % 64) & 1;
 }
 
+/// Voxels whose centres a piece holds, and none before it.
+struct OwnedVoxels {
+    Index piece;
+    VoxelSet voxels;
+};
+
 /// Whether the middle voxel of each side of a tile is inside: bit 2 axis + 1 of the upper side.
 std::uint8_t SidesInside(const VoxelSet& inside);
 
@@ -40,8 +58,8 @@ std::uint8_t SidesInside(const VoxelSet& inside);
 class Tiles {
   public:
     /// Keeps a view of the solid. Cost: count, scan, fill; some 20 bytes for each tile of the solid's box, 4 for each
-    /// tile that a tet or a triangle may touch. @pre counts fit (CountTiles), reach >= 1
-    /// @param wants_others whether tets away from the boundary are asked for too: others(), FindOwners there
+    /// tile that a piece or a triangle may touch. @pre counts fit (CountTiles), reach >= 1
+    /// @param wants_others whether pieces away from the boundary are asked for too: others(), FindOwners there
     Tiles(const VoxelSolid& solid, double reach, bool wants_others);
 
     /// Tiles of the box around the solid, widened by reach.
@@ -49,7 +67,7 @@ class Tiles {
 
     /// With a triangle within reach, perhaps; and where tets of both orientations meet.
     std::span<const Index> near_boundary() const { return near_boundary_; }
-    std::span<const Index> others() const { return others_; }  ///< with tets only, perhaps
+    std::span<const Index> others() const { return others_; }  ///< with pieces only, perhaps
     const VoxelSolid& solid() const { return solid_; }
     Place Origin(Index tile) const;
 
@@ -57,8 +75,8 @@ class Tiles {
     void SquaredDistances(Index tile, std::span<float, kTileVoxels> squares) const;
     /// Voxels whose centres some cell holds.
     VoxelSet Inside(Index tile) const;
-    /// For each voxel the lowest tet that holds its centre, or kNoIndex.
-    void FindOwners(Index tile, std::span<Index, kTileVoxels> tets) const;
+    /// Each voxel that is inside goes to the lowest piece that holds its centre.
+    std::vector<OwnedVoxels> FindOwners(Index tile) const;
     /// The tiles away from the boundary that are inside: what their neighbours say of the voxels beside them goes for
     /// all of them. @param beside SidesInside of near_boundary(), in its order
     std::vector<Index> OthersInside(std::span<const std::uint8_t> beside) const;
@@ -73,16 +91,17 @@ class Tiles {
             return {items.data() + offsets[tile], static_cast<std::size_t>(offsets[tile + 1] - offsets[tile])};
         }
     };
-    std::array<std::array<double, 3>, 4> Tet(Index tet, const Place& origin) const;
-    template <int kCorners>
-    /// Of all tiles, or of those alone that are near the boundary.
-    Near FindNear(std::span<const Index> elements, double reach, bool wants_others) const;
+    /// Calls use(piece, rows) for the rows of points that each tet near a tile holds, in their order.
+    template <class Use>
+    void ForRows(Index tile, const PointGrid& grid, Use&& use) const;
+    /// @param boxes tiles that elements may touch. Of all tiles, or of those alone that are near the boundary.
+    Near FindNear(std::span<const std::array<Place, 2>> boxes, bool wants_all) const;
     Index CountAll() const { return n_[0] * n_[1] * n_[2]; }
 
     const VoxelSolid& solid_;
     double reach_;
     Place low_{}, n_{};  // in tiles
-    Near triangles_, tets_;
+    Near triangles_, pieces_;
     std::vector<Index> near_boundary_, others_;
 };
 

@@ -16,8 +16,8 @@ TEST(Tiles, UprightFacesOfTetsLetNothingThrough_WhateverRoundingDoesToThem) {
         const Tiles tiles(solid, 1, true);
         ASSERT_EQ(tiles.Origin(0), (Place{0, 0, 0}));
         const VoxelSet inside = tiles.Inside(0);
-        std::array<Index, kTileVoxels> owners;
-        tiles.FindOwners(0, owners);
+        const auto owners = tiles.FindOwners(0);
+        ASSERT_EQ(owners.size(), 1u);
         std::array<std::uint16_t, kTileVoxels> counts;
         tiles.CountInside(0, 4, counts);
         for (int v = 0; v < kTileVoxels; ++v) {
@@ -25,7 +25,7 @@ TEST(Tiles, UprightFacesOfTetsLetNothingThrough_WhateverRoundingDoesToThem) {
             // Over (x, y) the tet ends at the plane through (2, 2, 1), (6, 2, 1) and (6, 6, 7).
             const bool is_in = x >= y && x <= 6 && y >= 2 && z >= 1 && z <= 1 + 1.5 * (y - 2);
             EXPECT_EQ(Holds(inside, v), is_in) << lean << ": " << x << " " << y << " " << z;
-            EXPECT_EQ(owners[static_cast<std::size_t>(v)] == 0, is_in) << lean << ": " << x << " " << y << " " << z;
+            EXPECT_EQ(Holds(owners[0].voxels, v), is_in) << lean << ": " << x << " " << y << " " << z;
             if (y > x + 1 || y < 1 || x > 7 || z < 1) {
                 EXPECT_EQ(counts[static_cast<std::size_t>(v)], 0) << lean << ": " << x << " " << y << " " << z;
             }

@@ -3,6 +3,7 @@
 #include <solidsubdiv/apps/voxel/internal/tiles.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -237,15 +238,16 @@ namespace {
 /// Of a tile's voxels.
 constexpr PointGrid kCentres{.n = kTileSide, .start = 0, .step = 1};
 
-std::uint64_t BitsOf(const Row& row) {
-    return ((std::uint64_t{2} << row.last) - (std::uint64_t{1} << row.first)) << (8 * row.y);
-}
+std::uint64_t BitsOf(const Row& row) { return (std::uint64_t{2} << row.last) - (std::uint64_t{1} << row.first); }
+/// Among those of its slice.
+std::uint64_t BitsInSlice(const Row& row) { return BitsOf(row) << (kTileSide * row.y); }
 
 }  // namespace
 
 VoxelSet Tiles::Inside(Index tile) const {
     VoxelSet inside{};
-    ForRows(tile, kCentres, [&](Index, const Row& row) { inside[static_cast<std::size_t>(row.x)] |= BitsOf(row); });
+    ForRows(tile, kCentres,
+            [&](Index, const Row& row) { inside[static_cast<std::size_t>(row.x)] |= BitsInSlice(row); });
     return inside;
 }
 
@@ -254,7 +256,7 @@ std::vector<OwnedVoxels> Tiles::FindOwners(Index tile) const {
     VoxelSet taken{};
     ForRows(tile, kCentres, [&](Index piece, const Row& row) {
         const auto x = static_cast<std::size_t>(row.x);
-        const std::uint64_t mine = BitsOf(row) & ~taken[x];
+        const std::uint64_t mine = BitsInSlice(row) & ~taken[x];
         if (mine == 0) return;
         taken[x] |= mine;
         if (owners.empty() || owners.back().piece != piece) owners.push_back({piece, {}});
@@ -264,21 +266,20 @@ std::vector<OwnedVoxels> Tiles::FindOwners(Index tile) const {
 }
 
 void Tiles::CountInside(Index tile, int fineness, std::span<std::uint16_t, kTileVoxels> counts) const {
-    const int n = kTileSide * fineness;
-    std::vector<bool> is_inside(static_cast<std::size_t>(n) * static_cast<std::size_t>(n) *
-                                static_cast<std::size_t>(n));
+    const auto f = static_cast<std::size_t>(fineness), n = kTileSide * f;
+    std::vector<std::uint64_t> lines(n * n);  // of points along z
     const double step = 1.0 / fineness;
-    ForRows(tile, {.n = n, .start = step / 2 - 0.5, .step = step}, [&](Index, const Row& row) {
-        const auto begin = is_inside.begin() + (row.x * n + row.y) * n;
-        std::fill(begin + row.first, begin + row.last + 1, true);
+    const PointGrid parts{.n = kTileSide * fineness, .start = step / 2 - 0.5, .step = step};
+    ForRows(tile, parts, [&](Index, const Row& row) {
+        lines[static_cast<std::size_t>(row.x) * n + static_cast<std::size_t>(row.y)] |= BitsOf(row);
     });
     std::fill(counts.begin(), counts.end(), std::uint16_t{0});
-    std::size_t i = 0;
-    for (int x = 0; x < n; ++x) {
-        for (int y = 0; y < n; ++y) {
-            for (int z = 0; z < n; ++z, ++i) {
-                const auto voxel = static_cast<std::size_t>(64 * (x / fineness) + 8 * (y / fineness) + z / fineness);
-                counts[voxel] = static_cast<std::uint16_t>(counts[voxel] + is_inside[i]);
+    for (std::size_t x = 0; x < n; ++x) {
+        for (std::size_t y = 0; y < n; ++y) {
+            std::uint64_t line = lines[x * n + y];
+            for (std::size_t z = 0; line != 0; ++z, line >>= f) {
+                std::uint16_t& count = counts[64 * (x / f) + 8 * (y / f) + z];
+                count = static_cast<std::uint16_t>(count + std::popcount(line & ((std::uint64_t{1} << f) - 1)));
             }
         }
     }

@@ -80,7 +80,7 @@ class Tiles {
     /// The tiles away from the boundary that are inside: what their neighbours say of the voxels beside them goes for
     /// all of them. @param beside SidesInside of near_boundary(), in its order
     std::vector<Index> OthersInside(std::span<const std::uint8_t> beside) const;
-    /// The same of the centres of `fineness`^3 parts of each voxel: how many of them, 0 to fineness^3.
+    /// How many of the centres of `fineness`^3 parts of each voxel some cell holds. @pre fineness <= 8
     void CountInside(Index tile, int fineness, std::span<std::uint16_t, kTileVoxels> counts) const;
 
   private:

@@ -41,9 +41,9 @@ Work AddVoxelize(CLI::App& command) {
     command
         .add_option("--kind", o.kind,
                     "level-set: grid 'surface' of signed distances (default);\nfog: grid 'density', the filled part of "
-                    "each voxel; both")
-        ->option_text("level-set|fog|both")
-        ->check(CLI::IsMember({"level-set", "fog", "both"}));
+                    "each voxel; both;\nnone: attributes alone")
+        ->option_text("level-set|fog|both|none")
+        ->check(CLI::IsMember({"level-set", "fog", "both", "none"}));
     command
         .add_option("--attribute", o.attributes,
                     "a grid of values inside: point data of the mesh of 1 or 3\nnumbers, or jacobian, cell_id, level; "

@@ -71,6 +71,9 @@ class VoxelizeCommand {
         for (const std::string& name : options_.attributes) {
             if (!names.insert(name).second) throw UsageError("--attribute " + name + " is given twice");
         }
+        if (options_.kind == "none" && names.empty()) {
+            throw UsageError("--kind none writes attributes alone; name some with --attribute");
+        }
     }
 
     static bool IsBuiltIn(std::string_view name) { return name == "jacobian" || name == "cell_id" || name == "level"; }

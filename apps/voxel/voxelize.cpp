@@ -21,6 +21,9 @@ using namespace Internal;
 
 namespace {
 
+bool HasLevelSet(Kind kind) { return kind == Kind::LevelSet || kind == Kind::Both; }
+bool HasFog(Kind kind) { return kind == Kind::Fog || kind == Kind::Both; }
+
 using Leaf = openvdb::FloatTree::LeafNodeType;
 static_assert(Leaf::DIM == kTileSide);
 
@@ -123,22 +126,21 @@ double EstimateBytes(const VoxelSolid& solid, const VoxelizeOptions& options) {
         return openvdb::Vec3d(p[0], p[1], p[2]);
     };
     double volume = 0, area = 0;  // in voxels
-    for (std::size_t t = 0; t < solid.tets.size(); t += 4) {
-        const openvdb::Vec3d a = point(solid.tets[t]);
-        const openvdb::Vec3d b = point(solid.tets[t + 1]) - a, c = point(solid.tets[t + 2]) - a;
-        volume += std::abs(b.cross(c).dot(point(solid.tets[t + 3]) - a)) / 6;
-    }
+    const openvdb::Vec3d origin = point(solid.triangles.empty() ? 0 : solid.triangles[0]);
     for (std::size_t t = 0; t < solid.triangles.size(); t += 3) {
-        const openvdb::Vec3d a = point(solid.triangles[t]);
-        area += (point(solid.triangles[t + 1]) - a).cross(point(solid.triangles[t + 2]) - a).length() / 2;
+        const openvdb::Vec3d a = point(solid.triangles[t]) - origin;
+        const openvdb::Vec3d n =
+            (point(solid.triangles[t + 1]) - origin - a).cross(point(solid.triangles[t + 2]) - origin - a);
+        area += n.length() / 2;
+        volume += n.dot(a) / 6;
     }
     // Whole tiles: beside what is within reach of the boundary half a tile on either side.
     const auto near = [&](double reach) { return area * (2 * reach + kTileSide); };
-    double numbers = options.kind != Kind::Fog ? near(options.half_width) : 0;
-    if (options.kind != Kind::LevelSet) numbers += near(1);
+    double numbers = HasLevelSet(options.kind) ? near(options.half_width) : 0;
+    if (HasFog(options.kind)) numbers += near(1);
     int width = options.jacobian + options.cell_id + options.level_id;
     for (const Attribute& a : options.attributes) width += a.width;
-    numbers += width * (volume + area * kTileSide / 2);
+    numbers += width * (std::abs(volume) + area * kTileSide / 2);
     return 8 * Tiles::CountTiles(solid, options.half_width) + sizeof(float) * numbers;
 }
 
@@ -174,7 +176,8 @@ Kind KindOf(std::string_view name) {
     if (name == "level-set") return Kind::LevelSet;
     if (name == "fog") return Kind::Fog;
     if (name == "both") return Kind::Both;
-    throw InvalidInput("there is no kind '" + std::string(name) + "' of grids; there are level-set, fog, both");
+    if (name == "none") return Kind::None;
+    throw InvalidInput("there is no kind '" + std::string(name) + "' of grids; there are level-set, fog, both, none");
 }
 
 void VoxelizeOptions::Validate() const {
@@ -187,8 +190,8 @@ void VoxelizeOptions::Validate() const {
         throw InvalidInput("half_width is " + std::to_string(half_width) + "; it must be 1 to 100 voxels");
     }
     std::set<std::string> names;
-    if (kind != Kind::Fog) names.insert("surface");
-    if (kind != Kind::LevelSet) names.insert("density");
+    if (HasLevelSet(kind)) names.insert("surface");
+    if (HasFog(kind)) names.insert("density");
     if (jacobian) names.insert("jacobian");
     if (cell_id) names.insert("cell_id");
     if (level_id) names.insert("level");
@@ -196,6 +199,7 @@ void VoxelizeOptions::Validate() const {
         if (a.name.empty()) throw InvalidInput("an attribute has no name");
         if (!names.insert(a.name).second) throw InvalidInput("a second grid would have the name '" + a.name + "'");
     }
+    if (names.empty()) throw InvalidInput("kind is none and no attribute is asked for; there would be no grid");
 }
 
 Grids Voxelize(const Far::TopologyRefiner& refiner, int level, std::span<const double> positions,
@@ -217,20 +221,18 @@ Grids Voxelize(const Far::TopologyRefiner& refiner, int level, std::span<const d
     openvdb::GridPtrVec& grids = result.state().grids;
     const bool wants_inside = !options.attributes.empty() || options.jacobian || options.cell_id || options.level_id;
     const auto add_inside = [&](const Tiles& tiles) {
-        if (!wants_inside) return;
         for (auto& grid : MakeAttributeGrids(tiles, refiner, level, options)) grids.push_back(std::move(grid));
     };
-    if (options.kind != Kind::Fog) {
+    if (HasLevelSet(options.kind)) {
         const bool is_last = options.kind == Kind::LevelSet;
-        const Tiles tiles(solid, options.half_width, is_last && wants_inside);
+        const Tiles tiles(solid, options.half_width, wants_inside && is_last);
         grids.push_back(MakeLevelSet(tiles, options));
-        if (is_last) add_inside(tiles);
+        if (wants_inside && is_last) add_inside(tiles);
+        if (is_last) return result;
     }
-    if (options.kind != Kind::LevelSet) {
-        const Tiles tiles(solid, 1, wants_inside);  // parts of voxels are less than 0.87 from its centre
-        grids.push_back(MakeFog(tiles, options));
-        add_inside(tiles);
-    }
+    const Tiles tiles(solid, 1, wants_inside);  // parts of voxels are less than 0.87 from its centre
+    if (HasFog(options.kind)) grids.push_back(MakeFog(tiles, options));
+    if (wants_inside) add_inside(tiles);
     return result;
 }
 

@@ -25,10 +25,11 @@ enum class Kind {
     /// voxels of it, there they are active; +-half_width * voxel_size elsewhere.
     LevelSet,
     Fog,  ///< grid "density": the part of each voxel that cells fill, 0 to 1, by 64 samples at the boundary
-    Both
+    Both,
+    None  ///< attributes alone
 };
 
-/// "level-set", "fog" or "both". @throws InvalidInput
+/// "level-set", "fog", "both" or "none". @throws InvalidInput
 Kind KindOf(std::string_view name);
 
 /// A material inside: a grid of this name with the values that cells give to the centres of voxels inside, interpolated
@@ -53,7 +54,7 @@ struct VoxelizeOptions {
     Offset max_bytes = Offset{8} << 30;
     Progress progress{};
 
-    /// @throws InvalidInput where a number is out of its range, or two grids would have one name
+    /// @throws InvalidInput where a number is out of its range, two grids would have one name, or there would be none
     void Validate() const;
 };
 

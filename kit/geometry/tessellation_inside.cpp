@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <solidsubdiv/kit/geometry/limits_of_vertices.h>
+#include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Geometry {
 
@@ -57,10 +58,15 @@ std::vector<Index> CutIntoTets(const Far::TopologyRefiner& refiner, int level) {
     std::vector<Index> tets;
     if (refiner.is_polyhedral()) {
         const Vtr::PolyhedralLevel& l = refiner.polyhedral_level(level);
-        tets.reserve(24 * static_cast<std::size_t>(l.n_hexes));
-        for (Index h = 0; h < l.n_hexes; ++h) {
-            CutHex({l.hex_vertices.data() + 8 * static_cast<std::size_t>(h), 8}, tets);
-        }
+        tets.resize(24 * static_cast<std::size_t>(l.n_hexes));
+        Sdc::ParallelFor(l.n_hexes, 1024, [&](Offset begin, Offset end) {
+            std::vector<Index> cut;
+            for (auto h = static_cast<std::size_t>(begin); h < static_cast<std::size_t>(end); ++h) {
+                cut.clear();
+                CutHex({l.hex_vertices.data() + 8 * h, 8}, cut);
+                std::copy(cut.begin(), cut.end(), tets.begin() + static_cast<std::ptrdiff_t>(24 * h));
+            }
+        });
         for (Index p = 0; p < l.n_polyhedra(); ++p) CutPolyhedron(l.polyhedra, p, tets);
         return tets;
     }

@@ -9,6 +9,7 @@
 #include <solidsubdiv/kit/geometry/face_cells.h>
 #include <solidsubdiv/kit/geometry/tessellation_inside.h>
 #include <solidsubdiv/sdc/errors.h>
+#include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Voxel::Internal {
 
@@ -65,13 +66,17 @@ VoxelSolid MakeVoxelSolid(const Far::TopologyRefiner& refiner, int level, std::s
                            std::to_string(refiner.n_vertices(level)) + " vertices of level " + std::to_string(level));
     }
     VoxelSolid solid;
-    solid.points.reserve(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         if (!std::isfinite(positions[i])) {
             throw InvalidInput("vertex " + std::to_string(i / 3) + " has a coordinate that is not finite");
         }
-        solid.points.push_back(positions[i] / voxel_size);
     }
+    solid.points.resize(positions.size());
+    Sdc::ParallelFor(static_cast<Offset>(positions.size()), 4096, [&](Offset begin, Offset end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            solid.points[i] = positions[i] / voxel_size;
+        }
+    });
     solid.tets = Geometry::CutIntoTets(refiner, level);
     if (refiner.is_polyhedral()) solid.n_hexes = refiner.polyhedral_level(level).n_hexes;
     solid.triangles = BoundaryTriangles(refiner, level);

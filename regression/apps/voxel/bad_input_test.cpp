@@ -102,10 +102,16 @@ TEST(BadInput, PositionsMustBeNumbersOfAllVertices) {
     EXPECT_THAT(ErrorOf(solid, {.voxel_size = 0.1}), HasSubstr("80 coordinates"));
 }
 
-TEST(BadInput, KindsHaveThreeNames) {
+TEST(BadInput, ThereMustBeSomeGrid) {
+    EXPECT_THAT(ErrorOf(Block(), {.voxel_size = 0.1, .kind = Kind::None}), HasSubstr("no attribute"));
+    EXPECT_EQ(ErrorOf(Block(), {.voxel_size = 0.1, .kind = Kind::None, .level_id = true}), "no error");
+}
+
+TEST(BadInput, KindsHaveFourNames) {
     EXPECT_EQ(KindOf("level-set"), Kind::LevelSet);
     EXPECT_EQ(KindOf("fog"), Kind::Fog);
     EXPECT_EQ(KindOf("both"), Kind::Both);
+    EXPECT_EQ(KindOf("none"), Kind::None);
     EXPECT_THROW(KindOf("mist"), InvalidInput);
 }
 

@@ -16,6 +16,8 @@ set(package_of_PNG::PNG PNG)
 set(package_of_Eigen3::Eigen Eigen3)
 set(package_of_SolidSubdiv3rd::embree Embree3)
 set(package_of_SolidSubdiv3rd::openvdb OpenVdbLib)
+set(package_of_SolidSubdiv3rd::openmesh OpenMeshLib)
+set(package_of_Ceres::ceres Ceres)
 
 # Writes into RESULT what a room links: rooms (SolidSubdiv::x) and third-party targets, public and private.
 function(solidsubdiv_links_of room result)

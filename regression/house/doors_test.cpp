@@ -33,7 +33,7 @@ const std::map<std::string, Doors>& HousePlan() {
         {"apps/voxel", {{"kit/geometry", "osd", "far"}, {"openvdb/"}}},
         {"apps/deform", {{"kit/geometry", "osd", "far"}, {"Eigen/"}}},
         {"apps/dynamics", {{"kit/geometry", "osd", "far"}, {"Eigen/", "ceres/", "itk"}}},
-        {"apps/fit", {{"apps/deform", "apps/voxel", "kit/geometry", "osd", "far"}, {"Eigen/", "ceres/", "glog/"}}},
+        {"apps/fit", {{"apps/deform", "apps/voxel", "kit/geometry", "osd", "far"}, {"Eigen/", "ceres/", "glog/", "OpenMesh/"}}},
         {"apps/cli",
          {{"sdc", "vtr", "far", "osd", "kit/geometry", "kit/io", "kit/picture", "kit/analysis", "apps/voxel",
            "apps/deform", "apps/dynamics", "apps/fit"},

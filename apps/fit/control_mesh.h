@@ -11,12 +11,12 @@ namespace SolidSubdiv::Fit {
 
 /// Arrays have the names, shapes and vertex orders of Far::TopologyDescriptor.
 struct ControlMesh {
-    std::vector<double> positions;      ///< (n_vertices, 3)
-    std::vector<Index> tets;            ///< (n, 4)
-    std::vector<Index> octs;            ///< (n, 6)
-    std::vector<Index> hexes;           ///< (n, 8)
-    std::vector<Index> triangles;       ///< (n, 3)
-    std::vector<Index> quads;           ///< (n, 4)
+    std::vector<double> positions{};    ///< (n_vertices, 3)
+    std::vector<Index> tets{};          ///< (n, 4)
+    std::vector<Index> octs{};          ///< (n, 6)
+    std::vector<Index> hexes{};         ///< (n, 8)
+    std::vector<Index> triangles{};     ///< (n, 3)
+    std::vector<Index> quads{};         ///< (n, 4)
     std::vector<Index> crease_edges{};  ///< (n, 2)
     std::vector<float> crease_sharpness{};
     std::vector<Index> corner_vertices{};

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rounds of pairs and steps, in coordinates in which the target's diagonal is 1.
+#include <solidsubdiv/apps/fit/fit.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <solidsubdiv/apps/fit/internal/fairness.h>
+#include <solidsubdiv/apps/fit/internal/pairs.h>
+#include <solidsubdiv/apps/fit/internal/step.h>
+#include <solidsubdiv/kit/geometry/box.h>
+#include <solidsubdiv/sdc/errors.h>
+
+namespace SolidSubdiv::Fit {
+
+using namespace Internal;
+
+namespace {
+
+/// To coordinates around the middle of what is to be met, and back.
+struct Frame {
+    std::array<double, 3> middle{};
+    double size = 1;
+
+    std::vector<double> To(std::span<const double> positions) const {
+        std::vector<double> result(positions.begin(), positions.end());
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = (result[i] - middle[i % 3]) / size;
+        return result;
+    }
+    std::vector<double> From(std::span<const double> positions) const {
+        std::vector<double> result(positions.begin(), positions.end());
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] * size + middle[i % 3];
+        return result;
+    }
+};
+
+Frame FrameOf(std::span<const double> positions) {
+    const Geometry::Box box = Geometry::BoundingBox(positions);
+    Frame frame;
+    for (std::size_t c = 0; c < 3; ++c) frame.middle[c] = 0.5 * (box.low[c] + box.high[c]);
+    if (box.Diagonal() > 0) frame.size = box.Diagonal();
+    return frame;
+}
+
+double VolumeOf(const std::array<Index, 4>& corner, std::span<const double> control) {
+    std::array<std::array<double, 3>, 3> e{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            e[k][c] = control[3 * static_cast<std::size_t>(corner[k + 1]) + c] -
+                      control[3 * static_cast<std::size_t>(corner[0]) + c];
+        }
+    }
+    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+/// Where the barrier begins. Corners that are folded at the start are to become as large as the middle one.
+std::vector<double> LeastVolumes(const Problem& problem, double flat) {
+    std::vector<double> volumes;
+    for (const auto& corner : problem.corners) volumes.push_back(VolumeOf(corner, problem.control));
+    if (volumes.empty()) return volumes;
+    std::vector<double> sorted = volumes;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double usual = *middle > 0 ? *middle : 1e-9;
+    for (double& v : volumes) v = flat * (v > 0 ? v : usual);
+    return volumes;
+}
+
+double RmsOf(std::span<const Pair> pairs) {
+    double sum = 0, weight = 0;
+    for (const Pair& p : pairs) {
+        sum += p.weight * p.distance * p.distance;
+        weight += p.weight;
+    }
+    return weight > 0 ? std::sqrt(sum / weight) : 0;
+}
+
+/// Each of a mirrored pair becomes the mean of itself and the other's image.
+void Mirror(const Problem& problem, std::vector<double>& control) {
+    const auto axis = static_cast<std::size_t>(problem.mirror_axis);
+    for (const auto& pair : problem.mirrored) {
+        double* const a = &control[3 * static_cast<std::size_t>(pair[0])];
+        double* const b = &control[3 * static_cast<std::size_t>(pair[1])];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double image = c == axis ? 2 * problem.mirror_offset - b[c] : b[c];
+            const double mean = 0.5 * (a[c] + image);
+            a[c] = mean;
+            b[c] = c == axis ? 2 * problem.mirror_offset - mean : mean;
+        }
+    }
+}
+
+void RequireRange(const char* name, double value, double least, double most) {
+    if (!(value >= least && value <= most)) {
+        throw InvalidInput(std::string("fit: ") + name + " is " + std::to_string(value) + "; it must be from " +
+                           std::to_string(least) + " to " + std::to_string(most));
+    }
+}
+
+}  // namespace
+
+void Options::Validate() const {
+    RequireRange("max_rounds", max_rounds, 1, 10000);
+    RequireRange("fairness", fairness, 0, 1e12);
+    RequireRange("least_fairness", least_fairness, 0, 1e12);
+    RequireRange("barrier", barrier, 0, 1e12);
+    RequireRange("flat", flat, 1e-6, 1);
+    RequireRange("across", across, 0, 1);
+    RequireRange("robust", robust, 0, 1e6);
+    RequireRange("tolerance", tolerance, 0, 1e75);
+    RequireRange("least_change", least_change, 0, 1);
+}
+
+Result FitControlPoints(const Problem& problem, const Options& options) {
+    options.Validate();
+    problem.Validate();
+    const Frame frame = FrameOf(problem.partners.empty() ? problem.target.positions : problem.partners);
+    const std::vector<double> target = frame.To(problem.target.positions);
+    Problem scaled = problem;
+    scaled.target.positions = target;
+    scaled.control = frame.To(problem.control);
+    scaled.partners = frame.To(problem.partners);
+    scaled.mirror_offset =
+        (problem.mirror_offset - frame.middle[static_cast<std::size_t>(problem.mirror_axis)]) / frame.size;
+
+    const Far::StencilRows<double> fair_rows = AffineRows(scaled.control, scaled.neighbors);
+    const std::vector<double> least_volumes = LeastVolumes(scaled, options.flat);
+    const PairFinder finder(scaled);
+    const StepSettings settings{scaled, fair_rows, least_volumes, options.barrier, options.across};
+
+    Result result;
+    std::vector<double>& control = scaled.control;
+    double fairness = options.fairness, last_error = HUGE_VAL;
+    result.stopped = "rounds";
+    try {
+        for (int i = 0; i < options.max_rounds; ++i) {
+            Report(options.progress, "fit", static_cast<double>(i) / options.max_rounds);
+            const auto start = std::chrono::steady_clock::now();
+            Round round{.fairness = fairness};
+            Index n_of_surface = 0;
+            const std::vector<Pair> pairs =
+                finder.Find(scaled.surface.Positions(control), options.robust, n_of_surface);
+            const auto [of_surface, of_target] = [&] {
+                const auto n = static_cast<std::size_t>(n_of_surface);
+                return std::pair(std::span(pairs).first(n), std::span(pairs).subspan(n));
+            }();
+            if (pairs.empty())
+                throw InvalidInput("fit: the surface and the target look away from each other everywhere");
+            round.surface_rms = frame.size * RmsOf(of_surface);
+            round.target_rms = frame.size * RmsOf(of_target);
+            const double error = std::hypot(round.surface_rms, round.target_rms);
+            const bool is_least_fair = fairness <= options.least_fairness;
+            if (options.tolerance > 0 && std::max(round.surface_rms, round.target_rms) <= options.tolerance) {
+                result.stopped = "tolerance";
+            } else if (is_least_fair && std::abs(last_error - error) <= options.least_change * error) {
+                result.stopped = "change";
+            }
+            if (result.stopped == "rounds") {
+                const StepReport report = SolveStep(settings, pairs, fairness, control);
+                Mirror(scaled, control);
+                round.steps = report.steps;
+                result.linear_solver = report.linear_solver;
+            }
+            round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            result.rounds.push_back(round);
+            if (result.stopped != "rounds") break;
+            last_error = error;
+            fairness = std::max(options.least_fairness, fairness / 2);
+        }
+    } catch (const Cancelled&) {
+        result.stopped = "cancelled";
+    }
+    result.control = frame.From(control);
+    for (Index p : problem.locked) {
+        std::copy_n(&problem.control[3 * static_cast<std::size_t>(p)], 3,
+                    &result.control[3 * static_cast<std::size_t>(p)]);
+    }
+    result.vertices = problem.surface.Positions(result.control);
+    for (const auto& corner : problem.corners) result.n_folded += !(VolumeOf(corner, control) > 0);
+    if (problem.target.positions.empty()) return result;
+    const Geometry::ClosestPoints on_target(problem.target.positions, problem.target.triangles);
+    const Geometry::ClosestPoints on_surface(result.vertices, problem.surface.triangles);
+    result.to_target = MeasureDistance(result.vertices, problem.surface.triangles, on_target);
+    result.from_target = MeasureDistance(problem.target.positions, problem.target.triangles, on_surface);
+    return result;
+}
+
+}  // namespace SolidSubdiv::Fit

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Control points moved until the surface that they carry meets a target.
+//
+//     Fit::ControlMesh lattice = Fit::MakeSolidStart(target, {.n_control = 400});
+//     const Fit::Problem problem = Fit::MakeProblem(lattice, Sdc::CatmullClarkSolid{}, target);
+//     const Fit::Result result = Fit::FitControlPoints(problem, {});
+//     lattice.positions = result.control;
+//
+// The surface is linear in the control points: positions = rows * control points. So are its derivatives by them, which
+// are the rows themselves: nothing is differentiated by machine. Each round looks for the nearest points both ways (of
+// the surface's vertices on the target, so that nothing sticks out, and of the target's points on the surface, so that
+// nothing of it is missed), keeps them for a least-squares problem that Ceres solves, and begins again.
+//
+// What is minimized, with lengths measured in diagonals of the target's box:
+//     sum over both ways of the mean of |M d|^2, d from a point to its nearest, where M leaves what is along the
+//         target's normal and takes most of what is across (points may slide along the surface), and far points, where
+//         `robust` is given, count less (Geman and McClure's weights, found anew each round)
+//   + fairness * mean over control points of |p - sum of w_j p_j|^2, weights that reproduce the start's neighbourhood:
+//         it is 0 for all affine maps of the start
+//   + barrier * sum over corners of cells of max(0, 1 - volume / (flat * volume at the start))^2
+// Fairness begins high and is halved each round: large movements first, then details.
+//
+// Source: distances along normals: chen1991modelling; subdivision surfaces fitted by nearest points and linear
+// least-squares in turns: hoppe1994piecewise.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <solidsubdiv/apps/fit/control_mesh.h>
+#include <solidsubdiv/far/stencil_table.h>
+#include <solidsubdiv/kit/geometry/surface_distance.h>
+#include <solidsubdiv/sdc/progress.h>
+#include <solidsubdiv/sdc/schemes.h>
+
+namespace SolidSubdiv::Fit {
+
+/// What control points carry.
+struct MovingSurface {
+    Far::StencilRows<double> rows;  ///< (n_vertices) over control points
+    std::vector<Index> triangles;   ///< (n, 3) of its vertices, counterclockwise from outside
+
+    std::vector<double> Positions(std::span<const double> control) const;
+};
+
+struct Problem {
+    MovingSurface surface;
+    TargetSurface target{};       ///< a view
+    std::vector<double> control;  ///< (n, 3): the start
+    /// For fairness: the control points around each, itself not among them.
+    std::vector<std::vector<Index>> neighbors;
+    /// (n): corner a of a cell and its neighbours there, (b - a) x (c - a) . (d - a) positive at the start.
+    std::vector<std::array<Index, 4>> corners;
+    std::vector<Index> locked{};  ///< control points that stay
+    /// Pairs of control points that mirror each other in the plane x_axis = offset; (i, i) stays in it.
+    std::vector<std::array<Index, 2>> mirrored{};
+    int mirror_axis = 0;
+    double mirror_offset = 0;
+    /// Known partners: for each vertex of the surface a point, (n, 3); empty: nearest points are looked for each round.
+    std::vector<double> partners{};
+
+    /// @throws InvalidInput
+    void Validate() const;
+};
+
+/// The limit of a control mesh's boundary (of a cage: of itself) as the surface, `rate` squared facets a face.
+/// @throws InvalidInput where the scheme can't refine the mesh
+Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate = 4);
+
+struct Options {
+    int max_rounds = 40;           ///< [1, 10000]
+    double fairness = 1;           ///< >= 0, at the first round
+    double least_fairness = 1e-4;  ///< >= 0
+    double barrier = 1;            ///< >= 0
+    double flat = 0.2;             ///< (0, 1): part of a corner's volume at the start below which the barrier stands
+    double across = 1e-3;          ///< [0, 1]: how much of a distance across the normal counts; 1: as much as along
+    double robust = 0;             ///< >= 0: distances, in medians, at which points begin to count less; 0: never
+    double tolerance = 0;          ///< >= 0, unit of the positions: stop as soon as both RMS distances are below
+    double least_change = 1e-3;    ///< stop where a round changes the error by less than this part, fairness at least
+    Progress progress{};
+
+    /// @throws InvalidInput
+    void Validate() const;
+};
+
+struct Round {
+    double fairness = 0;
+    double surface_rms = 0, target_rms = 0;  ///< of the points compared, before the round's step; unit of the positions
+    double seconds = 0;
+    int steps = 0;  ///< of the solver
+};
+
+struct Result {
+    std::vector<double> control;
+    std::vector<double> vertices;  ///< of the surface
+    std::vector<Round> rounds;
+    Geometry::DistanceSummary to_target, from_target;
+    int n_folded = 0;           ///< corners of cells of no positive volume
+    std::string stopped;        ///< why: "tolerance", "change", "rounds", "cancelled"
+    std::string linear_solver;  ///< Ceres' name of it
+};
+
+/// The best so far where progress cancels. Same input, same bits with one thread; to round-off with any.
+/// @throws InvalidInput, SolverError
+Result FitControlPoints(const Problem& problem, const Options& options);
+
+}  // namespace SolidSubdiv::Fit

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nearest points both ways, and how much each counts.
+#include <solidsubdiv/apps/fit/internal/pairs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace SolidSubdiv::Fit::Internal {
+
+namespace {
+
+using Vec = std::array<double, 3>;
+
+Vec At(std::span<const double> positions, Index v) {
+    const double* p = &positions[3 * static_cast<std::size_t>(v)];
+    return {p[0], p[1], p[2]};
+}
+Vec Minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double Dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Twice the area, along the normal.
+Vec AreaNormal(std::span<const double> positions, const Index* t) {
+    const Vec a = At(positions, t[0]), b = Minus(At(positions, t[1]), a), c = Minus(At(positions, t[2]), a);
+    return {b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
+}
+
+/// Normals of the vertices by area; not of length 1.
+std::vector<Vec> VertexNormals(std::span<const double> positions, std::span<const Index> triangles) {
+    std::vector<Vec> normals(positions.size() / 3);
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+        const Vec n = AreaNormal(positions, &triangles[t]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t c = 0; c < 3; ++c) normals[static_cast<std::size_t>(triangles[t + k])][c] += n[c];
+        }
+    }
+    return normals;
+}
+
+/// Areas that vertices stand for, summing to 1; equal ones where there are no triangles.
+std::vector<double> VertexAreas(std::span<const double> positions, std::span<const Index> triangles) {
+    const std::size_t n = positions.size() / 3;
+    std::vector<double> areas(n, triangles.empty() ? 1.0 : 0.0);
+    double whole = triangles.empty() ? static_cast<double>(n) : 0;
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+        const Vec normal = AreaNormal(positions, &triangles[t]);
+        const double area = std::sqrt(Dot(normal, normal));
+        for (std::size_t k = 0; k < 3; ++k) areas[static_cast<std::size_t>(triangles[t + k])] += area;
+        whole += 3 * area;
+    }
+    for (double& a : areas) a /= whole > 0 ? whole : 1;
+    return areas;
+}
+
+/// Geman and McClure's weights, which fall to 0 for far pairs: 1 / (1 + (d / c)^2)^2, with c = robust times the median
+/// distance. Source: zhou2016fast, equation (6).
+void CountFarLess(std::span<Pair> pairs, double robust) {
+    if (pairs.empty() || !(robust > 0)) return;
+    std::vector<double> distances;
+    for (const Pair& p : pairs) distances.push_back(p.distance);
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    const double scale = robust * *middle;
+    if (!(scale > 0)) return;
+    for (Pair& p : pairs) {
+        const double x = 1 + p.distance * p.distance / (scale * scale);
+        p.weight /= x * x;
+    }
+}
+
+}  // namespace
+
+PairFinder::PairFinder(const Problem& problem) : problem_(problem) {
+    if (!problem.partners.empty()) return;
+    target_.emplace(problem.target.positions, problem.target.triangles);
+    point_areas_ = VertexAreas(problem.target.positions, problem.target.triangles);
+    std::map<std::pair<Index, Index>, int> counts;
+    const auto& triangles = problem.target.triangles;
+    const auto key = [&](std::size_t t, std::size_t k) {
+        return std::minmax({triangles[t + k], triangles[t + (k + 1) % 3]});
+    };
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+        for (std::size_t k = 0; k < 3; ++k) ++counts[key(t, k)];
+    }
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+        is_border_.push_back({counts[key(t, 0)] == 1, counts[key(t, 1)] == 1, counts[key(t, 2)] == 1});
+    }
+}
+
+Vec PairFinder::TargetNormal(Index element) const {
+    const TargetSurface& t = problem_.target;
+    Vec n{};
+    if (!t.triangles.empty()) {
+        n = AreaNormal(t.positions, &t.triangles[3 * static_cast<std::size_t>(element)]);
+    } else if (!t.normals.empty()) {
+        n = At(t.normals, element);
+    }
+    const double length = std::sqrt(Dot(n, n));
+    for (double& x : n) x = length > 0 ? x / length : 0;
+    return n;
+}
+
+bool PairFinder::IsBeyondBorder(const Geometry::ClosestPoint& at) const {
+    if (is_border_.empty()) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        // On the edge from corner k on the third corner has no weight.
+        if (is_border_[static_cast<std::size_t>(at.element)][k] && at.weights[(k + 2) % 3] == 0) return true;
+    }
+    return false;
+}
+
+std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robust, Index& n_of_surface) const {
+    const MovingSurface& surface = problem_.surface;
+    const std::vector<Vec> normals = VertexNormals(vertices, surface.triangles);
+    const std::vector<double> areas = VertexAreas(vertices, surface.triangles);
+    const auto look_away = [](const Vec& a, const Vec& b) { return Dot(a, b) < 0; };
+    std::vector<Pair> pairs;
+    if (!problem_.partners.empty()) {
+        for (Index v = 0; v < surface.rows.n_rows(); ++v) {
+            const auto i = static_cast<std::size_t>(v);
+            const Vec partner = At(problem_.partners, v), d = Minus(partner, At(vertices, v));
+            pairs.push_back({{v, v, v}, {1, 0, 0}, partner, {}, std::sqrt(Dot(d, d)), areas[i]});
+        }
+        n_of_surface = static_cast<Index>(pairs.size());
+        return pairs;
+    }
+    const auto on_target = target_->Find(vertices);
+    for (Index v = 0; v < surface.rows.n_rows(); ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        const Geometry::ClosestPoint& at = on_target[i];
+        const Vec n = TargetNormal(at.element);
+        if (!(areas[i] > 0) || look_away(n, normals[i]) || IsBeyondBorder(at)) continue;
+        pairs.push_back({{v, v, v}, {1, 0, 0}, at.position, n, at.distance, areas[i]});
+    }
+    n_of_surface = static_cast<Index>(pairs.size());
+    CountFarLess(pairs, robust);
+
+    const Geometry::ClosestPoints moving(vertices, surface.triangles);
+    const auto on_surface = moving.Find(problem_.target.positions);
+    const std::vector<Vec> target_normals = VertexNormals(problem_.target.positions, problem_.target.triangles);
+    for (std::size_t i = 0; i < on_surface.size(); ++i) {
+        const Geometry::ClosestPoint& at = on_surface[i];
+        if (!(point_areas_[i] > 0)) continue;
+        Vec n =
+            problem_.target.normals.empty() ? target_normals[i] : At(problem_.target.normals, static_cast<Index>(i));
+        const double length = std::sqrt(Dot(n, n));
+        for (double& x : n) x = length > 0 ? x / length : 0;
+        const Index* const t = &surface.triangles[3 * static_cast<std::size_t>(at.element)];
+        if (look_away(n, AreaNormal(vertices, t))) continue;
+        pairs.push_back({{t[0], t[1], t[2]},
+                         at.weights,
+                         At(problem_.target.positions, static_cast<Index>(i)),
+                         n,
+                         at.distance,
+                         point_areas_[i]});
+    }
+    CountFarLess(std::span(pairs).subspan(static_cast<std::size_t>(n_of_surface)), robust);
+    return pairs;
+}
+
+}  // namespace SolidSubdiv::Fit::Internal

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pairs of a point that moves with the control points and the point of the target that it is to meet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <solidsubdiv/apps/fit/fit.h>
+#include <solidsubdiv/kit/geometry/closest_point.h>
+
+namespace SolidSubdiv::Fit::Internal {
+
+struct Pair {
+    std::array<Index, 3> vertices;   ///< of the moving surface
+    std::array<double, 3> weights;   ///< of these
+    std::array<double, 3> partner;   ///< on the target
+    std::array<double, 3> normal{};  ///< of the target there; 0: all directions count alike
+    double distance = 0;
+    double weight = 0;  ///< of the square of its distance
+};
+
+/// A target with its nearest points.
+class PairFinder {
+  public:
+    /// The problem must outlive this.
+    explicit PairFinder(const Problem& problem);
+
+    /// Pairs for the surface's vertices where they are now (n, 3): theirs first, then those of the target's points.
+    /// Weights of each way sum to 1 but for what `robust` takes. Pairs whose surfaces look away from each other and
+    /// vertices beyond an open border of the target are left out.
+    std::vector<Pair> Find(std::span<const double> vertices, double robust, Index& n_of_surface) const;
+
+  private:
+    std::array<double, 3> TargetNormal(Index element) const;
+    bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;
+
+    const Problem& problem_;
+    std::optional<Geometry::ClosestPoints> target_;  ///< where there are no partners
+    std::vector<double> point_areas_;                ///< of the target's points, summing to 1
+    std::vector<std::array<bool, 3>> is_border_;     ///< of each triangle's edges, from its corners on
+};
+
+}  // namespace SolidSubdiv::Fit::Internal

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows are grouped by the control point that weighs most in them: blocks of many rows take a hundredth of the time of
+// blocks of one (docs/fitting.md).
+#include <solidsubdiv/apps/fit/internal/step.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <thread>
+
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <solidsubdiv/apps/fit/internal/blocks.h>
+#include <solidsubdiv/sdc/errors.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+namespace SolidSubdiv::Fit::Internal {
+
+namespace {
+
+constexpr std::size_t kRowsOfBlock = 256;
+
+LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across) {
+    std::map<Index, double> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (pair.weights[k] == 0) continue;
+        const auto indices = surface.rows.Indices(pair.vertices[k]);
+        const auto row = surface.rows.Weights(pair.vertices[k]);
+        for (std::size_t i = 0; i < indices.size(); ++i) weights[indices[i]] += pair.weights[k] * row[i];
+    }
+    LinearBlock::Row row{.weights = {weights.begin(), weights.end()}, .goal = pair.partner};
+    const auto& n = pair.normal;
+    const bool has_normal = n[0] != 0 || n[1] != 0 || n[2] != 0;
+    const double root = std::sqrt(has_normal ? across : 1.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            row.matrix[3 * i + j] = std::sqrt(pair.weight) * ((i == j ? root : 0.0) + (1 - root) * n[i] * n[j]);
+        }
+    }
+    return row;
+}
+
+Index HeaviestOf(const LinearBlock::Row& row) {
+    return std::max_element(row.weights.begin(), row.weights.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+}
+
+class Builder {
+  public:
+    explicit Builder(std::span<double> control) : control_(control) {}
+
+    template <class Block>
+    void Add(Block* block) {
+        std::vector<double*> parameters;
+        for (Index p : block->control_points()) parameters.push_back(&control_[3 * static_cast<std::size_t>(p)]);
+        problem_.AddResidualBlock(block, nullptr, parameters);
+    }
+    void Lock(Index point) {
+        double* const p = &control_[3 * static_cast<std::size_t>(point)];
+        if (problem_.HasParameterBlock(p)) problem_.SetParameterBlockConstant(p);
+    }
+    ceres::Problem& problem() { return problem_; }
+
+  private:
+    std::span<double> control_;
+    ceres::Problem problem_;
+};
+
+void AddPairs(const StepSettings& settings, std::span<const Pair> pairs, Builder& builder) {
+    std::map<Index, std::vector<LinearBlock::Row>> groups;
+    const auto add = [&](std::vector<LinearBlock::Row>& rows) {
+        builder.Add(new LinearBlock(rows));
+        rows.clear();
+    };
+    for (const Pair& pair : pairs) {
+        LinearBlock::Row row = RowOf(pair, settings.problem.surface, settings.across);
+        if (row.weights.empty()) continue;
+        auto& rows = groups[HeaviestOf(row)];
+        rows.push_back(std::move(row));
+        if (rows.size() == kRowsOfBlock) add(rows);
+    }
+    for (auto& group : groups) {
+        if (!group.second.empty()) add(group.second);
+    }
+}
+
+void AddFairness(const StepSettings& settings, double fairness, Builder& builder) {
+    const auto& rows = settings.fair_rows;
+    const double root = std::sqrt(fairness / rows.n_rows());
+    for (Index i = 0; i < rows.n_rows(); ++i) {
+        const auto indices = rows.Indices(i);
+        const auto weights = rows.Weights(i);
+        if (indices.empty()) continue;
+        LinearBlock::Row row{.weights = {{i, 1.0}}, .matrix = {root, 0, 0, 0, root, 0, 0, 0, root}};
+        for (std::size_t k = 0; k < indices.size(); ++k) row.weights.emplace_back(indices[k], -weights[k]);
+        builder.Add(new LinearBlock(std::span(&row, 1)));
+    }
+}
+
+void AddBarrier(const StepSettings& settings, Builder& builder) {
+    // Corners of a cell come together: eight of a hexahedron share its points.
+    constexpr std::size_t kCorners = 8;
+    const auto& corners = settings.problem.corners;
+    std::vector<BarrierBlock::Corner> some;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        some.push_back({corners[i], settings.least_volumes[i]});
+        if (some.size() == kCorners || i + 1 == corners.size()) {
+            builder.Add(new BarrierBlock(some, std::sqrt(settings.barrier)));
+            some.clear();
+        }
+    }
+}
+
+}  // namespace
+
+StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness,
+                     std::span<double> control) {
+    Builder builder(control);
+    AddPairs(settings, pairs, builder);
+    if (fairness > 0) AddFairness(settings, fairness, builder);
+    if (settings.barrier > 0) AddBarrier(settings, builder);
+    for (Index p : settings.problem.locked) builder.Lock(p);
+
+    ceres::Solver::Options options;
+    // A direct solver is exact and quick for small problems; conjugate gradients win above (docs/fitting.md).
+    constexpr std::size_t kMostOfDirect = 3 * 400;
+    options.linear_solver_type = control.size() <= kMostOfDirect ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
+    options.preconditioner_type = ceres::JACOBI;
+    options.max_num_iterations = 12;
+    options.function_tolerance = 1e-5;
+    options.initial_trust_region_radius = 1e10;  // all but the barrier is linear: the first step is the answer
+    const int n_processors = static_cast<int>(std::thread::hardware_concurrency());
+    options.num_threads = std::min(Sdc::ThreadCount(), std::max(1, n_processors));  // Ceres warns of more
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &builder.problem(), &summary);
+    if (!summary.IsSolutionUsable()) throw SolverError("fit: " + summary.message);
+    return {summary.num_successful_steps, ceres::LinearSolverTypeToString(summary.linear_solver_type_used)};
+}
+
+}  // namespace SolidSubdiv::Fit::Internal

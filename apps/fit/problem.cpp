@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// Problems of control meshes: the limit of the boundary as rows, neighbours and corners from the elements.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <solidsubdiv/apps/fit/fit.h>
+#include <solidsubdiv/kit/geometry/tessellation.h>
+#include <solidsubdiv/sdc/cells.h>
+#include <solidsubdiv/sdc/errors.h>
+
+namespace SolidSubdiv::Fit {
+
+namespace {
+
+/// Calls visit(vertices) for each element.
+template <class Visit>
+void ForElements(std::span<const Index> vertices, std::size_t width, Visit&& visit) {
+    for (std::size_t i = 0; i + width <= vertices.size(); i += width) visit(vertices.subspan(i, width));
+}
+
+/// All that share an element with a point; where these are too few or lie too flat for affine weights, those around
+/// them as well.
+std::vector<std::vector<Index>> NeighborsOf(const ControlMesh& mesh) {
+    std::vector<std::set<Index>> near(static_cast<std::size_t>(mesh.n_vertices()));
+    const auto join = [&](std::span<const Index> element) {
+        for (Index a : element) {
+            for (Index b : element) {
+                if (a != b) near[static_cast<std::size_t>(a)].insert(b);
+            }
+        }
+    };
+    ForElements(mesh.tets, 4, join);
+    ForElements(mesh.octs, 6, join);
+    ForElements(mesh.hexes, 8, join);
+    ForElements(mesh.triangles, 3, join);
+    ForElements(mesh.quads, 4, join);
+    std::vector<std::vector<Index>> neighbors;
+    for (std::size_t v = 0; v < near.size(); ++v) {
+        std::set<Index> all = near[v];
+        if (!mesh.is_solid()) {  // rings of a surface are flat
+            for (Index a : near[v])
+                all.insert(near[static_cast<std::size_t>(a)].begin(), near[static_cast<std::size_t>(a)].end());
+            all.erase(static_cast<Index>(v));
+        }
+        neighbors.emplace_back(all.begin(), all.end());
+    }
+    return neighbors;
+}
+
+std::vector<std::array<Index, 4>> CornersOf(const ControlMesh& mesh) {
+    std::vector<std::array<Index, 4>> corners;
+    ForElements(mesh.tets, 4, [&](std::span<const Index> v) { corners.push_back({v[0], v[1], v[2], v[3]}); });
+    ForElements(mesh.octs, 6, [&](std::span<const Index> v) {
+        for (const auto& tet : Sdc::Oct::tets) corners.push_back({v[tet[0]], v[tet[1]], v[tet[2]], v[tet[3]]});
+    });
+    // Neighbours of each corner in VTK's order, as three edges of a right-handed frame.
+    constexpr std::size_t kFrames[8][4] = {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
+                                           {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}};
+    ForElements(mesh.hexes, 8, [&](std::span<const Index> v) {
+        for (const auto& f : kFrames) corners.push_back({v[f[0]], v[f[1]], v[f[2]], v[f[3]]});
+    });
+    return corners;
+}
+
+}  // namespace
+
+std::vector<double> MovingSurface::Positions(std::span<const double> control) const {
+    std::vector<double> positions(3 * static_cast<std::size_t>(rows.n_rows()));
+    for (Index v = 0; v < rows.n_rows(); ++v) {
+        const auto indices = rows.Indices(v);
+        const auto weights = rows.Weights(v);
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                positions[3 * static_cast<std::size_t>(v) + c] +=
+                    weights[k] * control[3 * static_cast<std::size_t>(indices[k]) + c];
+            }
+        }
+    }
+    return positions;
+}
+
+Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate) {
+    const Far::TopologyDescriptor topology = mesh.View();
+    const bool is_polyhedral = !mesh.hexes.empty() || !mesh.quads.empty() || !Sdc::Takes(scheme, Sdc::Split::TetOct);
+    const auto refiner =
+        Far::TopologyRefiner::Create(topology, is_polyhedral ? Sdc::Split::Polyhedral : Sdc::Split::TetOct);
+    Geometry::Tessellation surface = Geometry::TessellateBoundary(refiner, scheme, {.rate = rate, .normals = false});
+    Problem problem{.surface = {std::move(surface.rows), std::move(surface.triangles)},
+                    .target = target,
+                    .control = mesh.positions,
+                    .neighbors = NeighborsOf(mesh),
+                    .corners = CornersOf(mesh)};
+    return problem;
+}
+
+void Problem::Validate() const {
+    const std::size_t n = control.size() / 3;
+    const auto fail = [](const std::string& text) { throw InvalidInput("fit: " + text); };
+    if (control.empty() || control.size() % 3 != 0) fail("there are no control points");
+    if (surface.rows.n_rows() == 0 || surface.triangles.empty()) fail("control points carry no surface");
+    if (static_cast<std::size_t>(surface.rows.n_sources) != n) {
+        fail("the surface is of " + std::to_string(surface.rows.n_sources) + " control points; there are " +
+             std::to_string(n));
+    }
+    for (double x : control) {
+        if (!std::isfinite(x)) fail("a control point is not finite");
+    }
+    if (neighbors.size() != n)
+        fail("neighbors has " + std::to_string(neighbors.size()) + " rows; it must have one a control point");
+    const auto require_point = [&](Index p, const char* what) {
+        if (p < 0 || static_cast<std::size_t>(p) >= n) {
+            fail(std::string(what) + " names control point " + std::to_string(p) + "; there are " + std::to_string(n));
+        }
+    };
+    for (const auto& around : neighbors) {
+        for (Index p : around) require_point(p, "neighbors");
+    }
+    for (const auto& corner : corners) {
+        for (Index p : corner) require_point(p, "a corner");
+    }
+    for (Index p : locked) require_point(p, "locked");
+    for (const auto& pair : mirrored) {
+        for (Index p : pair) require_point(p, "mirrored");
+    }
+    if (mirror_axis < 0 || mirror_axis > 2)
+        fail("mirror_axis is " + std::to_string(mirror_axis) + "; it must be 0, 1 or 2");
+    if (!partners.empty() && partners.size() != 3 * static_cast<std::size_t>(surface.rows.n_rows())) {
+        fail(std::to_string(partners.size() / 3) + " partners for " + std::to_string(surface.rows.n_rows()) +
+             " vertices of the surface");
+    }
+    if (partners.empty() && target.positions.size() < 3) fail("the target is empty");
+}
+
+}  // namespace SolidSubdiv::Fit

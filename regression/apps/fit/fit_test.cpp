@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Known answers: what was made from control points is found again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <solidsubdiv/kit/geometry/box.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+#include "apps/fit/fit_testing.h"
+
+namespace SolidSubdiv::Fit {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+    std::string name;
+    ControlMesh mesh;
+    Sdc::Scheme scheme;
+};
+
+std::vector<Case> Cases() {
+    return {{"hexes", BulgedHexes(3), Sdc::CatmullClarkSolid{}},
+            {"tets", BulgedTets(3), Sdc::BoxSpline{}},
+            {"loop", SphereCage(2), Sdc::Loop{}},
+            {"modified butterfly", SphereCage(2), Sdc::ModifiedButterfly{}}};
+}
+
+TEST(FitControlPoints, KnownPartnersGiveTheBoundaryBack) {
+    for (const Case& c : Cases()) {
+        SCOPED_TRACE(c.name);
+        Problem problem = MakeProblem(c.mesh, c.scheme, {}, 4);
+        problem.partners = problem.surface.Positions(problem.control);
+        const std::vector<double> wanted = problem.control;
+        Shake(problem.control, 0.05, 1);
+        const Result result = FitControlPoints(
+            problem, {.max_rounds = 30, .fairness = 0, .least_fairness = 0, .barrier = 0, .least_change = 0});
+        // Conjugate gradients stop when a step gains no more; a direct solver at round-off.
+        EXPECT_LT(LargestDifference(problem, result.control, wanted), 1e-8);
+        // Points inside carry nothing of the boundary, and stay.
+        const auto is_seen = IsSeen(problem);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (is_seen[i / 3]) continue;
+            EXPECT_NEAR(result.control[i], problem.control[i], 1e-15);
+        }
+    }
+}
+
+TEST(FitControlPoints, NearestPointsAreEnoughFromAPercentAway) {
+    for (const Case& c : Cases()) {
+        SCOPED_TRACE(c.name);
+        Problem problem = MakeProblem(c.mesh, c.scheme, {}, 4);
+        const Surface target = SurfaceOf(problem);
+        problem.target = target.View();
+        Shake(problem.control, 0.01, 2);
+        const Result result = FitControlPoints(
+            problem, {.max_rounds = 200, .fairness = 1e-6, .least_fairness = 0, .barrier = 0, .least_change = 0});
+        const double diagonal = Geometry::BoundingBox(target.positions).Diagonal();
+        EXPECT_LT(result.rounds.back().surface_rms, 1e-6 * diagonal);
+        EXPECT_LT(result.rounds.back().target_rms, 1e-6 * diagonal);
+        EXPECT_GT(result.rounds.front().surface_rms, 1e-4 * diagonal);
+    }
+}
+
+TEST(FitControlPoints, AffineImagesAreMetHoweverFairItMustBe) {
+    const auto affine = [](std::array<double, 3> p) {
+        return std::array<double, 3>{0.9 * p[0] + 0.1 * p[1] + 0.02, 1.1 * p[1] - 0.05 * p[2],
+                                     p[2] + 0.1 * p[0] - 0.03};
+    };
+    for (const Case& c : Cases()) {
+        SCOPED_TRACE(c.name);
+        Problem problem = MakeProblem(c.mesh, c.scheme, {}, 4);
+        problem.partners = problem.surface.Positions(problem.control);
+        Map(problem.partners, affine);
+        std::vector<double> wanted = problem.control;
+        Map(wanted, affine);
+        const Result result = FitControlPoints(
+            problem, {.max_rounds = 30, .fairness = 10, .least_fairness = 10, .barrier = 1, .least_change = 0});
+        EXPECT_LT(LargestDifference(problem, result.control, wanted), 1e-7);
+        // Points inside follow as well: fairness is 0 there too.
+        for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(result.control[i], wanted[i], 1e-5);
+    }
+}
+
+TEST(FitControlPoints, UnitsDoNotMatter) {
+    const Case c = Cases()[0];
+    Problem problem = MakeProblem(c.mesh, c.scheme, {}, 3);
+    Surface target = SurfaceOf(problem);
+    Shake(problem.control, 0.01, 3);
+    problem.target = target.View();
+    const Options options{.max_rounds = 5};
+    const Result once = FitControlPoints(problem, options);
+    for (const double unit : {0x1p-30, 0x1p30}) {  // powers of 2: no rounding
+        Problem scaled = problem;
+        Surface scaled_target = target;
+        for (double& x : scaled_target.positions) x *= unit;
+        for (double& x : scaled.control) x *= unit;
+        scaled.target = scaled_target.View();
+        const Result result = FitControlPoints(scaled, options);
+        for (std::size_t i = 0; i < once.control.size(); ++i) {
+            EXPECT_NEAR(result.control[i] / unit, once.control[i], 1e-9) << unit;
+        }
+        EXPECT_NEAR(result.to_target.rms / unit, once.to_target.rms, 1e-9);
+    }
+}
+
+TEST(FitControlPoints, LockedPointsStayAndMirroredOnesMirror) {
+    Problem problem = MakeProblem(SphereCage(2), Sdc::Loop{}, {}, 3);
+    Surface target = SurfaceOf(problem);
+    Map(target.positions, [](std::array<double, 3> p) {
+        return std::array<double, 3>{1.2 * p[0], p[1] + 0.1 * p[0] * p[0], 0.9 * p[2]};
+    });
+    problem.target = target.View();
+    problem.locked = {0, 7};
+    const std::size_t n = problem.control.size() / 3;
+    for (Index a = 0; a < static_cast<Index>(n); ++a) {
+        for (Index b = a; b < static_cast<Index>(n); ++b) {
+            const double* p = &problem.control[3 * static_cast<std::size_t>(a)];
+            const double* q = &problem.control[3 * static_cast<std::size_t>(b)];
+            if (std::abs(p[0] + q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]) < 1e-12) {
+                problem.mirrored.push_back({a, b});
+            }
+        }
+    }
+    ASSERT_GT(problem.mirrored.size(), n / 2);
+    const Result result = FitControlPoints(problem, {.max_rounds = 10});
+    for (Index p : problem.locked) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_EQ(result.control[3 * static_cast<std::size_t>(p) + c],
+                      problem.control[3 * static_cast<std::size_t>(p) + c]);
+        }
+    }
+    for (const auto& [a, b] : problem.mirrored) {
+        if (a == 0 || b == 0 || a == 7 || b == 7) continue;
+        const double* p = &result.control[3 * static_cast<std::size_t>(a)];
+        const double* q = &result.control[3 * static_cast<std::size_t>(b)];
+        EXPECT_NEAR(p[0], -q[0], 1e-12);
+        EXPECT_NEAR(p[1], q[1], 1e-12);
+        EXPECT_NEAR(p[2], q[2], 1e-12);
+    }
+    EXPECT_LT(result.to_target.rms, 0.05);
+}
+
+TEST(FitControlPoints, TheBarrierKeepsCellsPositive) {
+    // Squeezed to a tenth on one side: without it cells there turn over.
+    Problem problem = MakeProblem(BulgedHexes(3), Sdc::CatmullClarkSolid{}, {}, 3);
+    Surface target = SurfaceOf(problem);
+    Map(target.positions, [](std::array<double, 3> p) {
+        return std::array<double, 3>{p[0], p[1], p[2] * (p[0] > 0.5 ? 0.1 : 1.0)};
+    });
+    problem.target = target.View();
+    const Result free = FitControlPoints(problem, {.max_rounds = 20, .least_fairness = 1e-7, .barrier = 0});
+    const Result kept = FitControlPoints(problem, {.max_rounds = 20, .least_fairness = 1e-7, .barrier = 1});
+    EXPECT_GT(free.n_folded, 0);
+    EXPECT_EQ(kept.n_folded, 0);
+}
+
+TEST(FitControlPoints, ThreadsChangeRoundOffAlone) {
+    const Case c = Cases()[0];
+    Problem problem = MakeProblem(c.mesh, c.scheme, {}, 3);
+    const Surface target = SurfaceOf(problem);
+    problem.target = target.View();
+    Shake(problem.control, 0.01, 4);
+    std::vector<std::vector<double>> results;
+    for (int n : {1, 1, 2, 3}) {
+        const Sdc::ThreadLimit limit(n);
+        results.push_back(FitControlPoints(problem, {.max_rounds = 8}).control);
+    }
+    EXPECT_EQ(results[0], results[1]);
+    for (std::size_t k = 2; k < results.size(); ++k) {
+        for (std::size_t i = 0; i < results[0].size(); ++i) EXPECT_NEAR(results[k][i], results[0][i], 1e-6);
+    }
+}
+
+TEST(FitControlPoints, StopsWhenToldTo) {
+    Problem problem = MakeProblem(SphereCage(1), Sdc::Loop{}, {}, 3);
+    const Surface target = SurfaceOf(problem);
+    problem.target = target.View();
+    EXPECT_EQ(FitControlPoints(problem, {.tolerance = 1e-9}).stopped, "tolerance");
+    Shake(problem.control, 0.02, 5);
+    EXPECT_EQ(FitControlPoints(problem, {.max_rounds = 3}).stopped, "rounds");
+    int calls = 0;
+    const Result result =
+        FitControlPoints(problem, {.progress = [&](std::string_view, double) { return ++calls < 3; }});
+    EXPECT_EQ(result.stopped, "cancelled");
+    EXPECT_EQ(result.rounds.size(), 2u);
+    EXPECT_NE(result.control, problem.control);
+}
+
+TEST(FitControlPoints, WhatMakesNoSenseIsRefused) {
+    const Problem good = MakeProblem(SphereCage(1), Sdc::Loop{}, {}, 2);
+    const auto error_of = [&](auto&& spoil) {
+        Problem problem = good;
+        const Surface target = SurfaceOf(good);
+        problem.target = target.View();
+        Options options{.max_rounds = 1};
+        spoil(problem, options);
+        return ErrorOf([&] { FitControlPoints(problem, options); });
+    };
+    EXPECT_EQ(error_of([](Problem&, Options&) {}), "no error");
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.target = {}; }), HasSubstr("target is empty"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.control[4] = NAN; }), HasSubstr("not finite"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.control.resize(9); }), HasSubstr("control points"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.locked = {99}; }), HasSubstr("locked names control point 99"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.partners.resize(9); }), HasSubstr("3 partners"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) { p.mirror_axis = 3; }), HasSubstr("mirror_axis"));
+    EXPECT_THAT(error_of([](Problem&, Options& o) { o.fairness = -1; }), HasSubstr("fairness"));
+    EXPECT_THAT(error_of([](Problem&, Options& o) { o.across = 2; }), HasSubstr("across"));
+    // A target that is inside out has no point that looks the same way.
+    EXPECT_THAT(error_of([](Problem& p, Options&) {
+                    static std::vector<Index> turned;
+                    turned.assign(p.target.triangles.begin(), p.target.triangles.end());
+                    for (std::size_t t = 0; t < turned.size(); t += 3) std::swap(turned[t], turned[t + 1]);
+                    p.target.triangles = turned;
+                }),
+                HasSubstr("look away"));
+}
+
+}  // namespace
+}  // namespace SolidSubdiv::Fit

@@ -3,6 +3,7 @@
 #include <solidsubdiv/apps/voxel/grids.h>
 
 #include <solidsubdiv/apps/voxel/internal/vdb.h>
+#include <solidsubdiv/apps/voxel/internal/vdb_file.h>
 #include <solidsubdiv/sdc/errors.h>
 
 #include <openvdb/io/Stream.h>
@@ -106,6 +107,7 @@ Grids Grids::Read(const std::filesystem::path& path) {
         std::ifstream file(path, std::ios::binary);
         if (!file) throw IoError("there is no such file, or no right to read it");
         file.exceptions(std::ios::failbit | std::ios::badbit);
+        Internal::CheckVdbFile(file);
         openvdb::io::Stream stream(file, false);
         grids.state_->grids = *stream.getGrids();
     } catch (const std::ios::failure&) {

@@ -25,7 +25,7 @@ namespace SolidSubdiv::Cli {
 namespace {
 
 struct InfoOptions {
-    std::string file, quality_map, picture, grid;
+    std::string file, quality_map, picture, grid, slice;
     bool quality = false;
 
     bool wants_quality() const { return quality || !quality_map.empty() || !picture.empty(); }
@@ -79,6 +79,7 @@ void RunGridInfo([[maybe_unused]] Session& session, const InfoOptions& options) 
         throw UsageError(options.file + ": --quality is of cells, and this file holds grids of voxels");
     }
 #ifdef SOLIDSUBDIV_HAS_VOXEL
+    const SlicePlace place = options.slice.empty() ? SlicePlace{} : SlicePlaceOf(options.slice);
     const std::filesystem::path picture =
         options.picture.empty() ? std::filesystem::path() : session.outputs().Stage(options.picture);
     session.Stage("read");
@@ -94,7 +95,8 @@ void RunGridInfo([[maybe_unused]] Session& session, const InfoOptions& options) 
         About(options.file, [&] {
             if (described.empty()) throw InvalidInput("has no grids; there is nothing to draw");
             WriteGridPicture(picture, grids,
-                             {options.grid.empty() ? described[0]["name"].get<std::string>() : options.grid}, session);
+                             {options.grid.empty() ? described[0]["name"].get<std::string>() : options.grid}, place,
+                             session);
         });
         text += "\nwrote " + options.picture;
     }
@@ -110,6 +112,7 @@ void RunGridInfo([[maybe_unused]] Session& session, const InfoOptions& options) 
 void RunInfo(Session& session, const InfoOptions& options) {
     if (std::filesystem::path(options.file).extension() == ".vdb") return RunGridInfo(session, options);
     if (!options.grid.empty()) throw UsageError(options.file + ": --grid is of .vdb files");
+    if (!options.slice.empty()) throw UsageError(options.file + ": --slice is of .vdb files");
     if (!options.quality_map.empty()) RequireSolidFormat(options.quality_map);
     const std::string& file = options.file;
     session.Stage("read");
@@ -151,12 +154,20 @@ Work AddInfo(CLI::App& command) {
                     "write the cells with the cell data jacobian_minimum and\nscaled_jacobian (.vtu, .vtk)")
         ->option_text("FILE");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
-    command
-        .add_option("--picture", o.picture,
-                    "draw the cells coloured by quality as a PNG: from outside,\ncut open, the worst by themselves; "
-                    "of a grid the surface\nand a slice by value")
-        ->option_text("FILE");
+    CLI::Option* const picture =
+        command
+            .add_option(
+                "--picture", o.picture,
+                "draw the cells coloured by quality as a PNG: from outside,\ncut open, the worst by themselves; "
+                "of a grid the surface\nand a slice by value")
+            ->option_text("FILE");
     command.add_option("--grid", o.grid, "the grid that --picture draws; default the first")->option_text("NAME");
+    command
+        .add_option(
+            "--slice", o.slice,
+            "where --picture cuts it: the axis and how far along what\nis active, x|y|z:FRACTION; default z:0.5")
+        ->option_text("PLACE")
+        ->needs(picture);
 #endif
     command.footer(
         "The size; of cells the volume, inverted ones and those of no volume; components of the boundary with their\n"
@@ -169,7 +180,7 @@ Work AddInfo(CLI::App& command) {
         "  solidsubdiv info lattice.vtu --json lattice.json\n"
         "  solidsubdiv info lattice.vtu --quality --quality-map quality.vtu --picture quality.png"
 #ifdef SOLIDSUBDIV_HAS_VOXEL
-        "\n  solidsubdiv info solid.vdb --picture grid.png --grid density"
+        "\n  solidsubdiv info solid.vdb --picture grid.png --grid density --slice y:0.25"
 #endif
     );
     return [options](Session& session) { RunInfo(session, *options); };

@@ -3,6 +3,7 @@
 #include <solidsubdiv/apps/cli/voxel_report.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,20 @@
 #endif
 
 namespace SolidSubdiv::Cli {
+
+SlicePlace SlicePlaceOf(const std::string& text) {
+    SlicePlace place;
+    const std::size_t axis = std::string_view("xyz").find(text.front());
+    const char* const end = text.data() + text.size();
+    const char* const number = text.data() + std::min<std::size_t>(2, text.size());
+    const auto [last, error] = std::from_chars(number, end, place.fraction);
+    const bool is_fraction = error == std::errc() && last == end && place.fraction >= 0 && place.fraction <= 1;
+    if (axis > 2 || text[1] != ':' || !is_fraction) {
+        throw UsageError("--slice '" + text + "': is not x, y or z with a number from 0 to 1, such as y:0.25");
+    }
+    place.axis = axis;
+    return place;
+}
 
 #ifdef SOLIDSUBDIV_HAS_PICTURES
 namespace {
@@ -36,7 +51,7 @@ std::vector<Index> Triangles(const Voxel::GridSurface& surface) {
     return triangles;
 }
 
-/// Active values of the plane of voxels at z in the middle; the length of vectors. Others are NaN.
+/// Active values of a plane of voxels; the length of vectors. Others are NaN.
 std::vector<double> SliceValues(const Voxel::Grids& grids, const Voxel::GridInfo& info, const std::array<int, 3>& low,
                                 const std::array<int, 3>& high) {
     std::vector<double> values;
@@ -55,19 +70,31 @@ std::vector<double> SliceValues(const Voxel::Grids& grids, const Voxel::GridInfo
     return values;
 }
 
-Picture::VoxelSlice SliceOf(const Voxel::Grids& grids, const Voxel::GridInfo& info, std::vector<double>& values) {
+/// From where a slice is seen well, and as much of the surface as can be.
+Picture::View ViewOf(const SlicePlace& place) {
+    constexpr double kAzimuth[] = {70, 20, 20}, kElevation[] = {14, 62, 14};
+    return {.azimuth = kAzimuth[place.axis], .elevation = kElevation[place.axis]};
+}
+
+Picture::VoxelSlice SliceOf(const Voxel::Grids& grids, const Voxel::GridInfo& info, const SlicePlace& place,
+                            std::vector<double>& values) {
     if (info.active_voxels == 0) throw InvalidInput("no voxel of grid '" + info.name + "' is active: nothing to draw");
     std::array<int, 3> low = info.low, high = info.high;
-    low[2] = high[2] = static_cast<int>((static_cast<long long>(low[2]) + high[2]) / 2);
+    const double from = low[place.axis], to = high[place.axis];
+    low[place.axis] = high[place.axis] = static_cast<int>(std::floor(from + place.fraction * (to - from)));
     values = SliceValues(grids, info, low, high);
-    const auto corner = grids.ToWorld(info.name, low);
-    const auto u = grids.ToWorld(info.name, {low[0] + 1, low[1], low[2]});
-    const auto v = grids.ToWorld(info.name, {low[0], low[1] + 1, low[2]});
+    const std::size_t u_axis = place.axis == 0 ? 1 : 0, v_axis = place.axis == 2 ? 1 : 2;
+    const auto next = [&](std::size_t axis) {
+        std::array<int, 3> voxel = low;
+        ++voxel[axis];
+        return grids.ToWorld(info.name, voxel);
+    };
+    const auto corner = grids.ToWorld(info.name, low), u = next(u_axis), v = next(v_axis);
     Picture::VoxelSlice slice{.corner = corner,
                               .step_u = {u[0] - corner[0], u[1] - corner[1], u[2] - corner[2]},
                               .step_v = {v[0] - corner[0], v[1] - corner[1], v[2] - corner[2]},
-                              .n_u = high[0] - low[0] + 1,
-                              .n_v = high[1] - low[1] + 1,
+                              .n_u = high[u_axis] - low[u_axis] + 1,
+                              .n_v = high[v_axis] - low[v_axis] + 1,
                               .values = values,
                               .title = info.type.starts_with("vec3") ? "length" : "",
                               .caption = "'" + info.name + "', sliced"};
@@ -86,7 +113,7 @@ Picture::VoxelSlice SliceOf(const Voxel::Grids& grids, const Voxel::GridInfo& in
 }  // namespace
 
 void WriteGridPicture(const std::filesystem::path& path, const Voxel::Grids& grids,
-                      const std::vector<std::string>& names, Session& session) {
+                      const std::vector<std::string>& names, const SlicePlace& place, Session& session) {
     const std::vector<Voxel::GridInfo> infos = grids.Describe();
     Voxel::GridSurface surface;
     std::string caption;
@@ -101,15 +128,16 @@ void WriteGridPicture(const std::filesystem::path& path, const Voxel::Grids& gri
             throw InvalidInput("there is no grid '" + names[i] + "'; there " +
                                (known.empty() ? "is none" : "are " + known));
         }
-        slices.push_back(SliceOf(grids, *info, values[i]));
+        slices.push_back(SliceOf(grids, *info, place, values[i]));
         if (i == 0) surface = SurfaceOf(grids, *info, caption);
     }
     const std::vector<Index> triangles = Triangles(surface);
     Picture::WritePng(path, Picture::GridPicture({.positions = surface.positions, .triangles = triangles}, slices,
-                                                 {.caption = caption}, session.progress()));
+                                                 {.view = ViewOf(place), .caption = caption}, session.progress()));
 }
 #else
-void WriteGridPicture(const std::filesystem::path&, const Voxel::Grids&, const std::vector<std::string>&, Session&) {}
+void WriteGridPicture(const std::filesystem::path&, const Voxel::Grids&, const std::vector<std::string>&,
+                      const SlicePlace&, Session&) {}
 #endif
 
 }  // namespace SolidSubdiv::Cli

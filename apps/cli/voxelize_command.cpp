@@ -197,7 +197,7 @@ class VoxelizeCommand {
             session_.Stage("picture");
             std::vector<std::string> names;
             for (const Json& grid : json_["grids"]) names.push_back(grid["name"].get<std::string>());
-            WriteGridPicture(picture_, grids, names, session_);
+            WriteGridPicture(picture_, grids, names, {}, session_);
             AddOutput("picture", options_.picture, picture_);
         }
         session_.EndStage();

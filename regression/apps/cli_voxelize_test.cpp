@@ -230,6 +230,30 @@ TEST_F(CliVoxelize, PicturesOfEveryKindOfGrid) {
                 HasSubstr("cube.vdb: there is no grid 'cold'; there are "));
 }
 
+TEST_F(CliVoxelize, PicturesOfSlicesAtAnyPlace) {
+    if (MustRun("info --help").out.find("--slice") == std::string::npos) GTEST_SKIP() << "built without pictures";
+    MustRun("voxelize tets.vtu -o tets.vdb --resolution 12 --levels 0");
+    const auto picture_at = [&](const std::string& slice) {
+        MustRun("info tets.vdb --picture slice.png" + slice);
+        return ReadText(folder / "slice.png");
+    };
+    const std::string middle = picture_at("");
+    std::set<std::string> pictures = {middle};
+    const std::vector<std::string> places = {"y:0.25", "x:1", "z:1e-1"};
+    for (int i = 0; i < FewerIfSanitized(3); ++i) {
+        EXPECT_TRUE(pictures.insert(picture_at(" --slice " + places[i])).second) << places[i];
+    }
+    if (!kIsSanitized) {
+        EXPECT_EQ(picture_at(" --slice z:0.5"), middle);
+    }
+    for (const char* bad : {"w:0.5", "y", "y:", "y0.5", "y:-0.1", "y:1.01", "y:nan", "y:0.5x", ":0.5", "y:0,5"}) {
+        EXPECT_THAT(ErrorOf("info tets.vdb --picture x.png --slice " + std::string(bad), 2),
+                    HasSubstr("--slice '" + std::string(bad) + "': is not x, y or z with a number from 0 to 1"));
+    }
+    EXPECT_THAT(ErrorOf("info tets.vdb --slice y:0.5", 2), HasSubstr("--picture"));
+    EXPECT_THAT(ErrorOf("info tets.vtu --picture x.png --slice y:0.5", 2), HasSubstr("tets.vtu: --slice"));
+}
+
 TEST_F(CliVoxelize, OpenVdbsOwnProgramReadsTheFile) {
     if (std::system("command -v vdb_print >/dev/null 2>&1") != 0) {
         GTEST_SKIP() << "there is no vdb_print (Debian: libopenvdb-tools)";

@@ -3,10 +3,9 @@
 #include <solidsubdiv/kit/io/formats.h>
 
 #include <array>
-#include <new>
-#include <stdexcept>
 
 #include <solidsubdiv/kit/io/internal/files.h>
+#include <solidsubdiv/kit/io/internal/format_choice.h>
 #include <solidsubdiv/kit/io/internal/readers.h>
 #include <solidsubdiv/kit/io/internal/text.h>
 #include <solidsubdiv/kit/io/internal/writers.h>
@@ -42,26 +41,10 @@ constexpr std::array kFormats = {
 
 std::span<const Format> Formats() { return kFormats; }
 
-const Format& FormatOf(const std::filesystem::path& path) {
-    const std::string extension = Internal::LowerCase(path.extension().string());
-    std::string known;
-    for (const Format& format : kFormats) {
-        if (format.extension == extension) return format;
-        known += (known.empty() ? "" : ", ") + std::string(format.extension);
-    }
-    Internal::Fail(Internal::NameOf(path),
-                   (extension.empty() ? "the name has no extension"
-                                      : "the extension " + Internal::Quoted(extension) + " is unknown") +
-                       "; known are " + known);
-}
+const Format& FormatOf(const std::filesystem::path& path) { return Internal::ChooseFormat(Formats(), path); }
 
 Mesh ReadMesh(const std::filesystem::path& path) {
-    try {
-        return FormatOf(path).read(path);
-    } catch (const std::bad_alloc&) {
-    } catch (const std::length_error&) {
-    }
-    Internal::Fail(Internal::NameOf(path), "needs more memory than there is; split the mesh");
+    return Internal::ReadWithinMemory(path, "split the mesh", [&] { return FormatOf(path).read(path); });
 }
 
 Mesh ReadSolid(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -54,6 +55,12 @@ inline std::string Load(const std::filesystem::path& path) {
 
 inline std::filesystem::path Corpus(const std::string& name) {
     return std::filesystem::path(SOLIDSUBDIV_SHAPES) / "io_corpus" / name;
+}
+
+/// A file of the data from elsewhere, which may be missing.
+inline std::filesystem::path RealData(const std::string& name) {
+    const char* const given = std::getenv("SOLIDSUBDIV_DATA");
+    return std::filesystem::path(given ? given : SOLIDSUBDIV_DATA) / name;
 }
 
 /// The message of the IoError that the call throws; empty if it throws none.

@@ -350,9 +350,7 @@ TEST(ObjCatalogue, CountingOfTagsSeesEveryDifference) {
 }
 
 TEST(ObjCatalogue, EveryShapeIsReadWithItsTagsAndComesBack) {
-    const char* const given = std::getenv("SOLIDSUBDIV_DATA");
-    const std::filesystem::path data = given ? given : SOLIDSUBDIV_DATA;
-    const auto shapes = data / "opensubdiv_shapes";
+    const auto shapes = RealData("opensubdiv_shapes");
     if (!std::filesystem::is_directory(shapes)) GTEST_SKIP() << "OpenSubdiv's shapes: there is no " << shapes;
 
     TemporaryFolder folder;

@@ -17,6 +17,10 @@ copy_seeds() { # TARGET FOLDER
         for nodes in "$shapes"/*.node; do
             { cat "$nodes"; printf '\0'; cat "${nodes%.node}.ele"; } > "$2/$(basename "$nodes")"
         done
+    elif [ "$kind" = points ]; then
+        cp "$shapes"/points_* "$2"
+    elif [ "$kind" = volumes ]; then
+        cp "$shapes"/volume_* "$2"
     else
         find "$shapes" -name "*.$kind" -exec cp {} "$2" \;
     fi

@@ -3,6 +3,8 @@
 #include <solidsubdiv/apps/cli/files_help.h>
 
 #include <solidsubdiv/kit/io/formats.h>
+#include <solidsubdiv/kit/io/points.h>
+#include <solidsubdiv/kit/io/volumes.h>
 
 namespace SolidSubdiv::Cli {
 
@@ -21,6 +23,15 @@ std::string Extensions(Predicate&& is_wanted) {
 
 std::string ReadableFilesHelp() {
     return "Files read: " + Extensions([](const Io::Format& f) { return f.read != nullptr; });
+}
+
+std::string ReadableTargetsHelp() {
+    const auto list = [](const auto& formats) {
+        std::string text;
+        for (const auto& format : formats) text += (text.empty() ? "" : ", ") + std::string(format.extension);
+        return text;
+    };
+    return "Volumes: " + list(Io::VolumeFormats()) + "; points: " + list(Io::PointFormats());
 }
 
 std::string WritableFilesHelp() {

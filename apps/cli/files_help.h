@@ -8,6 +8,8 @@ namespace SolidSubdiv::Cli {
 
 /// "Files read: .vtu, .vtk, .obj"
 std::string ReadableFilesHelp();
+/// "Volumes: .nii, .nrrd; points: .xyz, .pcd"
+std::string ReadableTargetsHelp();
 /// "Files written: solids .vtu, .vtk; surfaces .vtu, .vtk, .obj"
 std::string WritableFilesHelp();
 

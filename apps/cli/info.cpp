@@ -12,7 +12,10 @@
 #include <solidsubdiv/apps/cli/files_help.h>
 #include <solidsubdiv/apps/cli/mesh_report.h>
 #include <solidsubdiv/apps/cli/quality_report.h>
+#include <solidsubdiv/apps/cli/target_report.h>
 #include <solidsubdiv/kit/io/formats.h>
+#include <solidsubdiv/kit/io/points.h>
+#include <solidsubdiv/kit/io/volumes.h>
 #ifdef SOLIDSUBDIV_HAS_VOXEL
 #include <solidsubdiv/apps/cli/voxel_report.h>
 #endif
@@ -109,7 +112,34 @@ void RunGridInfo([[maybe_unused]] Session& session, const InfoOptions& options) 
 #endif
 }
 
+/// Volumes and points, which hold no mesh: read(), describe and put into words.
+template <class Read, class Describe, class TextOf>
+void RunTargetInfo(Session& session, const InfoOptions& options, std::string_view format, Read&& read,
+                   Describe&& describe, TextOf&& text_of) {
+    if (options.wants_quality() || !options.grid.empty()) {
+        throw UsageError(options.file + ": --quality, --picture and --grid are of meshes and OpenVDB's grids");
+    }
+    session.Stage("read");
+    const auto target = read(options.file);
+    for (const std::string& note : target.notes) session.Note(options.file + ": " + note);
+    session.Stage("analyze");
+    Json result = {{"command", "info"}, {"file", options.file}, {"format", format}, {"notes", target.notes}};
+    result.update(describe(target));
+    session.EndStage();
+    result["seconds"] = session.Seconds();
+    session.Print(options.file + ": " + std::string(format) + "\n" + text_of(result));
+    session.Finish(result);
+}
+
 void RunInfo(Session& session, const InfoOptions& options) {
+    if (const Io::VolumeFormat* format = Io::FindVolumeFormat(options.file)) {
+        return RunTargetInfo(session, options, format->name, Io::ReadVolume, DescribeVolume, VolumeText);
+    }
+    // A PLY file may be a mesh: it is described as one.
+    const Io::PointFormat* points = Io::FindPointFormat(options.file);
+    if (points && points->extension != ".ply") {
+        return RunTargetInfo(session, options, points->name, Io::ReadPoints, DescribePoints, PointsText);
+    }
     if (std::filesystem::path(options.file).extension() == ".vdb") return RunGridInfo(session, options);
     if (!options.grid.empty()) throw UsageError(options.file + ": --grid is of .vdb files");
     if (!options.slice.empty()) throw UsageError(options.file + ": --slice is of .vdb files");
@@ -145,7 +175,9 @@ void RunInfo(Session& session, const InfoOptions& options) {
 Work AddInfo(CLI::App& command) {
     const auto options = std::make_shared<InfoOptions>();
     InfoOptions& o = *options;
-    command.add_option("FILE", o.file, "the mesh, or grids of voxels (.vdb)")->required()->option_text(" ");
+    command.add_option("FILE", o.file, "the mesh, the volume, the points, or grids of voxels (.vdb)")
+        ->required()
+        ->option_text(" ");
     command.add_flag("--quality", o.quality,
                      "measure cells: the least Jacobian determinant, with a proof\n"
                      "of its sign, scaled Jacobians, the worst cells");
@@ -174,8 +206,8 @@ Work AddInfo(CLI::App& command) {
         "Euler characteristic and genus; histograms of valences and of the cells around inner edges; cells that meet\n"
         "only in an edge or a vertex; defects, those that make a mesh unusable too. Where all cells are tetrahedra or\n"
         "octahedra also the share of matched faces. Of OpenVDB's files the grids, their sizes, values and "
-        "metadata.\n\n" +
-        ReadableFilesHelp() +
+        "metadata; of volumes and points the size, the box, the range of values and labels.\n\n" +
+        ReadableFilesHelp() + "\n" + ReadableTargetsHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv info lattice.vtu --json lattice.json\n"
         "  solidsubdiv info lattice.vtu --quality --quality-map quality.vtu --picture quality.png"

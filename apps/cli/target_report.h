@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `info` says of volumes and point clouds, as JSON and as text made from the JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include <solidsubdiv/kit/geometry/box.h>
+#include <solidsubdiv/kit/geometry/point_cloud.h>
+#include <solidsubdiv/kit/geometry/volume.h>
+
+namespace SolidSubdiv::Cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Size, place and range of values; of whole numbers how many there are, and the first ten.
+Json DescribeVolume(const Geometry::Volume& volume);
+std::string VolumeText(const Json& description);
+
+Json DescribePoints(const Geometry::PointCloud& cloud);
+std::string PointsText(const Json& description);
+
+}  // namespace SolidSubdiv::Cli

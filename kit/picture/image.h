@@ -44,6 +44,9 @@ class Image {
 /// Writes beside the file and renames, so that no partial file is left. @throws IoError
 void WritePng(const std::filesystem::path& path, const Image& image);
 
+/// The bytes that WritePng writes.
+std::vector<std::uint8_t> EncodePng(const Image& image);
+
 /// Reads any PNG as sRGB without transparency (over white). @throws IoError
 Image ReadPng(const std::filesystem::path& path);
 

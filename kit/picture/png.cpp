@@ -62,6 +62,21 @@ void WritePng(const std::filesystem::path& path, const Image& image) {
     partial.complete = true;
 }
 
+std::vector<std::uint8_t> EncodePng(const Image& image) {
+    if (image.width() == 0) throw InvalidInput("EncodePng: the image has no pixels");
+    png_image header = Header(image);
+    // As much as the worst picture takes, cut to what this one took.
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
+    std::vector<std::uint8_t> bytes(size);
+    const bool encoded =
+        png_image_write_to_memory(&header, bytes.data(), &size, 0, image.bytes().data(), 0, nullptr) != 0;
+    const std::string message = header.message;
+    png_image_free(&header);
+    if (!encoded) throw Error("EncodePng: " + message);
+    bytes.resize(size);
+    return bytes;
+}
+
 Image ReadPng(const std::filesystem::path& path) {
     png_image header{};
     header.version = PNG_IMAGE_VERSION;

@@ -69,6 +69,14 @@ TEST_F(PngTest, FileIsAPngOfTheImagesSize) {
     EXPECT_EQ(bytes.substr(16, 8), std::string("\0\0\0\xc9\0\0\0\x4d", 8));
 }
 
+TEST_F(PngTest, EncodedBytesAreThoseOfTheFile) {
+    WritePng(folder_ / "a.png", Gradient(201, 77));
+    std::ifstream file(folder_ / "a.png", std::ios::binary);
+    const std::vector<std::uint8_t> written{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(EncodePng(Gradient(201, 77)), written);
+    EXPECT_THROW(EncodePng(Image()), InvalidInput);
+}
+
 TEST_F(PngTest, AnExistingFileIsReplaced) {
     WritePng(folder_ / "a.png", Gradient(20, 20));
     WritePng(folder_ / "a.png", Gradient(30, 10));

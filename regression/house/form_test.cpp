@@ -13,13 +13,14 @@ constexpr std::size_t kLongestPublicHeader = 200;
 
 /// What is wrong with the form of a file, or an empty text.
 std::string BadForm(const SourceFile& file) {
-    const std::string comment = file.IsCpp() ? "// " : "# ";
+    const bool has_slashes = file.IsCpp() || file.path.ends_with(".js");
+    const std::string comment = has_slashes ? "// " : "# ";
     const bool has_shebang = !file.lines.empty() && file.lines[0].starts_with("#!");
     const std::size_t first = has_shebang ? 1 : 0;
     if (file.lines.size() <= first || file.lines[first] != comment + "SPDX-License-Identifier: Apache-2.0") {
         return "no SPDX line on top";
     }
-    if (!file.IsCpp()) return {};
+    if (!has_slashes) return {};
     if (file.lines.size() <= first + 1 || !file.lines[first + 1].starts_with(comment)) return "no sentence of purpose";
     if (file.path.ends_with(".h") && std::count(file.lines.begin(), file.lines.end(), "#pragma once") != 1) {
         return "no #pragma once";
@@ -60,12 +61,14 @@ TEST(Form, PlantedFaultsAreCaught) {
         {"far/twice.h", {license, "// A purpose."}},
         {"far/long.h", long_header},
         {"kit/CMakeLists.txt", {"add_subdirectory(io)"}},
+        {"kit/mute.js", {license, "let x;"}},
         {"sdc/empty.cpp", {}},
     };
     EXPECT_THAT(BadForms(tree),
                 testing::ElementsAre("far/bare.h: no SPDX line on top", "far/mute.cpp: no sentence of purpose",
                                      "far/twice.h: no #pragma once", "far/long.h: 201 lines, more than 200",
-                                     "kit/CMakeLists.txt: no SPDX line on top", "sdc/empty.cpp: no SPDX line on top"));
+                                     "kit/CMakeLists.txt: no SPDX line on top", "kit/mute.js: no sentence of purpose",
+                                     "sdc/empty.cpp: no SPDX line on top"));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct SourceFile {
 /// Sources, scripts and build files below `top`, without build folders and what git keeps; sorted by path.
 inline std::vector<SourceFile> ReadSourceTree(const std::filesystem::path& top) {
     namespace fs = std::filesystem;
-    static const std::vector<std::string> extensions = {".h", ".cpp", ".cmake", ".py", ".sh"};
+    static const std::vector<std::string> extensions = {".h", ".cpp", ".cmake", ".py", ".sh", ".js"};
     std::vector<SourceFile> files;
     for (auto it = fs::recursive_directory_iterator(top); it != fs::recursive_directory_iterator(); ++it) {
         const std::string name = it->path().filename().string();
@@ -57,6 +57,7 @@ inline std::vector<SourceFile> ReadSourceTree(const std::filesystem::path& top) 
         }
         const bool is_source = std::count(extensions.begin(), extensions.end(), it->path().extension().string()) > 0;
         const std::string path = it->path().lexically_relative(top).generic_string();
+        if (name.ends_with(".min.js")) continue;  // made by a script, from packages
         if (!is_source && name != "CMakeLists.txt" && path != "dev" && path != ".ci/run") continue;
         SourceFile& file = files.emplace_back();
         file.path = path;

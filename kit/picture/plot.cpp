@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SVG by hand: a frame, ticks, named lines, series, legend.
+#include <solidsubdiv/kit/picture/internal/markup.h>
 #include <solidsubdiv/kit/picture/plot.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace SolidSubdiv::Picture {
 
 namespace {
 
+using Internal::Escaped;
+
 /// Okabe and Ito's colours, which colour-blind people tell apart.
 constexpr std::array<const char*, 7> kPalette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                  "#E69F00", "#56B4E9", "#000000"};
@@ -21,26 +24,6 @@ std::string Number(double x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", x);
     return text;
-}
-
-std::string Escaped(const std::string& text) {
-    std::string escaped;
-    for (char c : text) {
-        switch (c) {
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            default:
-                escaped += c;
-        }
-    }
-    return escaped;
 }
 
 double WidthOf(const std::string& text) { return kCharacter * static_cast<double>(text.size()); }

@@ -212,11 +212,11 @@ void AppendSection(std::string& page, const ReportSection& section) {
 }
 
 constexpr const char* kView = R"(<div id="view">
-<p class="no-view">The 3-D view needs JavaScript and WebGL, which this browser does not offer; the rest of the page shows
-the result.</p>
+<p class="no-view">The 3-D view needs JavaScript and WebGL, which this browser does not offer; the rest of the page
+shows the result.</p>
 <div class="buttons"></div>
 <div class="sliders"></div>
-<canvas tabindex="0" role="img"
+<canvas tabindex="0" role="application"
 aria-label="3-D view: arrow keys turn it, with shift move it, plus and minus zoom"></canvas>
 <div class="legends"></div>
 <p class="hint">Drag to turn; with the right button, or two fingers, to move; click, then use the wheel to zoom.</p>

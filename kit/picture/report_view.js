@@ -12,18 +12,21 @@ function Decode(base64, Type) {
 // One corner after another, with its position and colour; normals vary over a surface but not over its sharp edges.
 function TriangleGeometry(positions, triangles, colors) {
     const n = triangles.length;
-    const corners = new Float32Array(3 * n), normals = new Float32Array(3 * n), facets = new Float32Array(n);
+    const corners = new Float32Array(3 * n), normals = new Float32Array(3 * n);
     for (let i = 0; i < n; i++) {
         for (let k = 0; k < 3; k++) corners[3 * i + k] = positions[3 * triangles[i] + k];
     }
-    for (let t = 0; t < n; t += 3) {  // as long as twice the area
-        const p = corners.subarray(3 * t, 3 * t + 9);
+    // Triangles' normals, as long as twice the area, and their lengths.
+    const facets = new Float64Array(n), lengths = new Float64Array(n / 3);
+    for (let t = 0; t < n; t += 3) {
         for (let k = 0; k < 3; k++) {
-            const a = (k + 1) % 3, b = (k + 2) % 3;
-            facets[t + k] = (p[3 + a] - p[a]) * (p[6 + b] - p[b]) - (p[3 + b] - p[b]) * (p[6 + a] - p[a]);
+            const a = 3 * t + (k + 1) % 3, b = 3 * t + (k + 2) % 3;
+            facets[t + k] = (corners[a + 3] - corners[a]) * (corners[b + 6] - corners[b]) -
+                            (corners[b + 3] - corners[b]) * (corners[a + 6] - corners[a]);
         }
+        lengths[t / 3] = Math.hypot(facets[t], facets[t + 1], facets[t + 2]);
     }
-    // The corners around each vertex, as lists one after another.
+    // The triangles around each vertex, as lists one after another.
     const starts = new Uint32Array(positions.length / 3 + 1), around = new Uint32Array(n);
     for (let i = 0; i < n; i++) starts[triangles[i] + 1]++;
     for (let v = 1; v < starts.length; v++) starts[v] += starts[v - 1];
@@ -31,22 +34,25 @@ function TriangleGeometry(positions, triangles, colors) {
     for (let i = 0; i < n; i++) around[next[triangles[i]]++] = i - i % 3;
     const cos_crease = Math.cos(40 * Math.PI / 180);
     for (let i = 0; i < n; i++) {
-        const own = facets.subarray(i - i % 3, i - i % 3 + 3), sum = [0, 0, 0];
+        const own = i - i % 3;
+        let x = 0, y = 0, z = 0;
         for (let j = starts[triangles[i]]; j < starts[triangles[i] + 1]; j++) {
-            const f = facets.subarray(around[j], around[j] + 3);
-            const cos = f[0] * own[0] + f[1] * own[1] + f[2] * own[2];
-            if (cos < cos_crease * Math.hypot(...f) * Math.hypot(...own)) continue;
-            for (let k = 0; k < 3; k++) sum[k] += f[k];
+            const f = around[j];
+            const dot = facets[f] * facets[own] + facets[f + 1] * facets[own + 1] + facets[f + 2] * facets[own + 2];
+            if (dot < cos_crease * lengths[f / 3] * lengths[own / 3]) continue;
+            x += facets[f], y += facets[f + 1], z += facets[f + 2];
         }
-        const length = Math.hypot(...sum) || 1;
-        for (let k = 0; k < 3; k++) normals[3 * i + k] = sum[k] / length;
+        const length = Math.hypot(x, y, z) || 1;
+        normals[3 * i] = x / length, normals[3 * i + 1] = y / length, normals[3 * i + 2] = z / length;
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(corners, 3));
     geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
     if (colors) {
         const bytes = new Uint8Array(3 * n);
-        for (let i = 0; i < n; i++) bytes.set(colors.subarray(3 * triangles[i], 3 * triangles[i] + 3), 3 * i);
+        for (let i = 0; i < n; i++) {
+            for (let k = 0; k < 3; k++) bytes[3 * i + k] = colors[3 * triangles[i] + k];
+        }
         geometry.setAttribute('color', new THREE.BufferAttribute(bytes, 3, true));
     }
     return geometry;
@@ -55,7 +61,9 @@ function TriangleGeometry(positions, triangles, colors) {
 // A line is a strip of two triangles, widened by the shader: WebGL's own lines are a pixel thin.
 function LineGeometry(positions, lines) {
     const ends = new Float32Array(3 * lines.length);
-    for (let i = 0; i < lines.length; i++) ends.set(positions.subarray(3 * lines[i], 3 * lines[i] + 3), 3 * i);
+    for (let i = 0; i < lines.length; i++) {
+        for (let k = 0; k < 3; k++) ends[3 * i + k] = positions[3 * lines[i] + k];
+    }
     const geometry = new THREE.InstancedBufferGeometry();
     const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);  // x along, y across
     geometry.setAttribute('position', new THREE.BufferAttribute(corners, 3));
@@ -341,18 +349,19 @@ class View {
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
         this.renderer.render(this.scene, this.camera);
-        document.documentElement.dataset.triangles = this.renderer.info.render.triangles;  // for tests, as what follows
-        if (document.documentElement.dataset.view !== 'drawn') this.TellOfFirstFrame();
+        const {triangles} = this.renderer.info.render;  // for tests
+        Object.assign(document.documentElement.dataset, {view: 'drawn', triangles});
     }
 
-    // Which share of the pixels is covered.
-    TellOfFirstFrame() {
+    // For tests: draws, and says which share of the pixels is covered.
+    Covered() {
+        this.Draw();
         const gl = this.renderer.getContext(), n = gl.drawingBufferWidth * gl.drawingBufferHeight;
         const bytes = new Uint8Array(4 * n);
         gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
         let covered = 0;
         for (let i = 3; i < bytes.length; i += 4) covered += bytes[i] > 0;
-        Object.assign(document.documentElement.dataset, {view: 'drawn', covered: (covered / n).toFixed(4)});
+        return covered / n;
     }
 }
 

@@ -10,12 +10,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace SolidSubdiv::Picture {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,9 +52,27 @@ class ReportInBrowser : public testing::Test {
         return Between(Document(page, options), "<html", ">");
     }
 
-    /// The page with a script at its end, which runs after the first frame, and then draws another.
-    static std::string WithScript(std::string page, const std::string& script) {
-        return page.insert(page.rfind("</body>"), "<script>" + script + "report_view.Draw();</script>");
+    /// What each of `bodies` of functions returns, run one by one on the view as it is at the start.
+    std::vector<std::string> Values(const std::vector<std::string>& bodies) const {
+        std::string script =
+            "const press = (i) => document.querySelectorAll('.buttons button')[i].click();"
+            "const slide = (i, x) => {const s = document.querySelectorAll('.sliders input')[i];"
+            " s.value = x; s.dispatchEvent(new Event('input'));};"
+            "const type = (key) => report_view.canvas.dispatchEvent(new KeyboardEvent('keydown', {key: key}));"
+            "const triangles = () => {report_view.Draw(); return document.documentElement.dataset.triangles;};"
+            "const covered = () => report_view.Covered();"
+            "const camera = () => report_view.camera.position.toArray().map((x) => x.toFixed(6));"
+            "const bodies = [";
+        for (const std::string& body : bodies) script += "() => {" + body + "},";
+        script += "]; document.documentElement.dataset.values = bodies.map((f) => {press(4); return f();}).join('|');";
+        std::string page = page_;
+        page.insert(page.rfind("</body>"), "<script>" + script + "</script>");
+        std::istringstream text(Between(Attributes(page), "data-values=\"", "\""));
+        std::vector<std::string> values;
+        for (std::string value; std::getline(text, value, '|');) values.push_back(value);
+        EXPECT_EQ(values.size(), bodies.size());
+        values.resize(bodies.size(), "0");
+        return values;
     }
 
     static std::string Replaced(std::string page, const std::string& from, const std::string& to) {
@@ -66,34 +86,50 @@ class ReportInBrowser : public testing::Test {
     const std::string page_ = ReportPage(ExampleReport(shapes_));
 };
 
-/// 8 * 4^3 triangles of the target, 8 * 4^2 of the fitted sphere, and two for each of the box's 12 lines.
-constexpr const char *kAll = "data-triangles=\"664\"", *kWithoutTarget = "data-triangles=\"152\"",
-                     *kWithoutFitted = "data-triangles=\"536\"";
-
 TEST_F(ReportInBrowser, ViewDrawsEveryMesh) {
-    const std::string document = Document(page_), attributes = Between(document, "<html", ">");
-    EXPECT_THAT(attributes, AllOf(HasSubstr("data-view=\"drawn\""), HasSubstr(kAll), HasSubstr("has-view"),
-                                  Not(HasSubstr("data-error"))));
-    // The box, seen aslant, is as high as the view and nearly as wide as high, and the spheres fill half of it.
-    const double covered = std::stod(Between(attributes, "data-covered=\"", "\""));
-    EXPECT_GT(covered, 0.1);
-    EXPECT_LT(covered, 0.6);
+    const std::string document = Document(page_);
+    // 8 * 4^3 triangles of the target, 8 * 4^2 of the fitted sphere, and two for each of the box's 12 lines.
+    EXPECT_THAT(Between(document, "<html", ">"),
+                AllOf(HasSubstr("data-view=\"drawn\""), HasSubstr("data-triangles=\"664\""), HasSubstr("has-view"),
+                      Not(HasSubstr("data-error"))));
     for (const char* text : {">target</button>", ">fitted</button>", ">lattice</button>", "<span>fitted: height</span>",
                              "<b>-0.9 mm</b><b>0.9 mm</b>", "aria-pressed=\"true\""}) {
         EXPECT_THAT(document, HasSubstr(text));
     }
 }
 
-TEST_F(ReportInBrowser, ButtonsShowAndHideAndSlidersFade) {
-    const std::string press = "const press = (i) => document.querySelectorAll('.buttons button')[i].click();";
-    const std::string fade =
-        "const fade = (x) => {const s = document.querySelector('.sliders input');"
-        " s.value = x; s.dispatchEvent(new Event('input'));};";
-    const auto after = [&](const std::string& script) { return Attributes(WithScript(page_, press + fade + script)); };
-    EXPECT_THAT(after("press(0);"), HasSubstr(kWithoutTarget));
-    EXPECT_THAT(after("fade(0);"), HasSubstr(kWithoutFitted));
-    EXPECT_THAT(after("fade(1);"), HasSubstr(kWithoutTarget));
-    EXPECT_THAT(after("press(0); press(1); press(2); press(4);"), HasSubstr(kAll)) << "the fifth resets the view";
+TEST_F(ReportInBrowser, ButtonsShowHideAndReset) {
+    EXPECT_THAT(Values({"press(0); return triangles();", "press(1); press(2); return triangles();",
+                        "press(0); press(1); press(2); press(4); return triangles();"}),
+                ElementsAre("152", "512", "664"))
+        << "of 512, 128 and 24; the fifth button resets the view";
+}
+
+TEST_F(ReportInBrowser, SlidersFadeAndCut) {
+    const auto values =
+        Values({"slide(0, 0); return triangles();", "slide(0, 1); return triangles();",
+                "press(2); slide(0, 0); return covered();", "press(2); slide(0, 0); slide(1, 0.5); return covered();",
+                "press(2); slide(0, 0.5); return covered();"});
+    EXPECT_EQ(values[0], "536") << "without the fitted sphere";
+    EXPECT_EQ(values[1], "152") << "without the target";
+    // The target alone, whole and cut in the middle: some of what is cut off shows the inside instead. The spheres are
+    // concentric, so half faded they cover the target's pixels less half of its rim.
+    const double whole = std::stod(values[2]), cut = std::stod(values[3]), faded = std::stod(values[4]);
+    EXPECT_GT(whole, 0.05);
+    EXPECT_LT(whole, 0.5);
+    EXPECT_LT(cut, 0.95 * whole);
+    EXPECT_GT(cut, 0.5 * whole);
+    EXPECT_LT(faded, 0.99 * whole);
+    EXPECT_GT(faded, 0.85 * whole) << "the smaller one has 0.81 of the larger one's area";
+}
+
+TEST_F(ReportInBrowser, KeysTurnAndZoomAndTheButtonResets) {
+    const auto cameras =
+        Values({"return camera();", "type('ArrowLeft'); return camera();", "type('ArrowUp'); return camera();",
+                "type('+'); return camera();", "type('a'); return camera();",
+                "type('ArrowLeft'); type('ArrowUp'); type('+'); press(4); return camera();"});
+    for (std::size_t i : {1u, 2u, 3u}) EXPECT_NE(cameras[i], cameras[0]) << i;
+    for (std::size_t i : {4u, 5u}) EXPECT_EQ(cameras[i], cameras[0]) << i;
 }
 
 TEST_F(ReportInBrowser, WithoutWebGlASentenceStandsInPlaceOfTheView) {

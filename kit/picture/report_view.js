@@ -168,7 +168,7 @@ class View {
         this.Reset();
         this.controls.saveState();
         this.controls.addEventListener('change', () => this.Redraw());
-        new ResizeObserver(() => this.Redraw()).observe(this.canvas);
+        new ResizeObserver(() => this.Draw()).observe(this.canvas);  // before the page is painted: never stretched
         this.UseKeysAndWheel();
         this.Draw();
     }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts of cubes: the grid is found, cubes become cells or faces, the boundary is drawn to the target.
+#include <solidsubdiv/apps/fit/start.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <solidsubdiv/apps/fit/internal/start/block_meshes.h>
+#include <solidsubdiv/apps/fit/internal/start/block_search.h>
+#include <solidsubdiv/apps/fit/internal/start/draw_to_target.h>
+#include <solidsubdiv/apps/fit/internal/start/target_shape.h>
+#include <solidsubdiv/far/topology_refiner.h>
+#include <solidsubdiv/kit/geometry/cell_quality.h>
+#include <solidsubdiv/sdc/parallel.h>
+
+namespace SolidSubdiv::Fit {
+
+using namespace Starting;
+
+namespace {
+
+void RequireClosed(const TargetShape& shape) {
+    const Offset n_border = shape.CountBorderEdges();
+    if (n_border == 0) return;
+    throw InvalidInput("the target is open: " + std::to_string(n_border) +
+                       " border edges; a start of cells or quadrilaterals needs a closed surface");
+}
+
+/// Corners of hexahedra may be positive although what lies between them is not.
+Offset CountFolded(const ControlMesh& mesh) {
+    if (mesh.hexes.empty()) return 0;
+    const auto refiner = Far::TopologyRefiner::Create(mesh.View(), Sdc::Split::Polyhedral);
+    const auto cells = Geometry::MeasureQuality(refiner, 0, mesh.positions);
+    return std::count_if(cells.begin(), cells.end(),
+                         [](const auto& c) { return c.sign != Geometry::MinimumSign::Positive; });
+}
+
+ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const StartOptions& options,
+                           StartReport& report) {
+    Report(options.progress, "start: inside", 0);
+    // Some ten voxels and more across a cube; prefix sums count with 32 bits.
+    const int n_voxels = options.n_control <= 2000 ? 128 : 256;
+    const InsideGrid grid(shape.positions, shape.triangles, n_voxels, !shape.IsOriented());
+    if (grid.IsEmpty()) throw InvalidInput("the target encloses nothing");
+    const SolidTopology topology = shape.Topology();
+    const auto count = [kind](const Blocks& blocks) { return CountControlPoints(blocks, kind); };
+    const Geometry::ClosestPoints target(shape.positions, shape.triangles);
+    constexpr std::size_t kSurfacePoints = 600, kMostTried = 16;
+    const std::vector<double> points = grid.SurfacePoints(kSurfacePoints);
+    const std::vector<Blocks> found =
+        FindBlocks(grid, target, points, {options.n_control, count, topology}, kMostTried, options.progress);
+    std::vector<BlockMesh> made(found.size());
+    std::vector<StartReport> reports(found.size());
+    std::vector<double> distances(found.size());
+    Sdc::ParallelFor(static_cast<Offset>(found.size()), 1, [&](Offset begin, Offset end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            BlockMesh& m = made[i] = MakeBlockMesh(found[i], kind);
+            reports[i].least_quality = DrawToTarget(m.mesh, m.boundary, m.n_corners, {shape, target}, found[i].size());
+            reports[i].n_folded = CountFolded(m.mesh);
+            distances[i] = DistanceBetween(m.mesh.positions, m.boundary, m.n_corners, target, points);
+        }
+    });
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        const Offset fewer = reports[best].n_folded - reports[i].n_folded;
+        // As good but for rounding: the first. A target with symmetries has many.
+        if (fewer > 0 || (fewer == 0 && distances[i] < (1 - 1e-6) * distances[best])) best = i;
+    }
+    report.least_quality = reports[best].least_quality;
+    report.n_folded = reports[best].n_folded;
+    const SolidTopology has = found[best].Topology();
+    report.n_components = has.n_solids + has.n_cavities;
+    report.euler = has.euler;
+    report.has_target_topology = has == topology;
+    return std::move(made[best].mesh);
+}
+
+}  // namespace
+
+void StartOptions::Validate() const {
+    if (n_control < 8 || n_control > 100000) {
+        throw InvalidInput("n_control is " + std::to_string(n_control) + "; must be in [8, 100000]");
+    }
+}
+
+ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
+    options.Validate();
+    const TargetShape shape(target);
+    StartReport made;
+    made.target_components = static_cast<Offset>(shape.components.size());
+    made.target_euler = shape.Euler();
+    if (shape.triangles.empty()) throw InvalidInput("the target has no triangles");
+    RequireClosed(shape);
+    ControlMesh mesh = MakeBlockStart(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, made);
+    shape.Restore(mesh.positions);
+    if (report) *report = made;
+    return mesh;
+}
+
+}  // namespace SolidSubdiv::Fit

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a fit starts: a lattice around a target of about as many control points as asked for.
+//
+//     Fit::StartReport report;
+//     const Fit::ControlMesh lattice = Fit::MakeSolidStart(target, {.n_control = 300}, &report);
+//     if (!report.has_target_topology) ...   // a handle was too thin for so few control points
+//
+// A solid start is made of cubes: those of a regular grid that lie in the target, for the most part. Size and place of
+// the grid are searched for, until the number of control points is near enough, the boundary has the components and
+// handles of the target, and is as near to it as cubes can be. The boundary is then drawn to the target while the cells
+// keep their shape. Hexahedra get a layer of cells on the boundary first:
+//
+//     +---+---+          o---o---o     o: a cube at an edge has two faces in what becomes one smooth surface; with the
+//     |   |   |          | +---+ |        layer a cell has one face on the boundary
+//     +---+---+    ->    o-| | |-o
+//     |   |   |          | +---+ |
+//     +---+---+          o---o---o
+//
+// Everything is done at the size of the target: its unit does not matter, nor where it lies.
+//
+// Source: rules.md, section 4 (why layers).
+#pragma once
+
+#include <solidsubdiv/apps/fit/control_mesh.h>
+#include <solidsubdiv/sdc/progress.h>
+
+namespace SolidSubdiv::Fit {
+
+struct StartOptions {
+    Index n_control = 300;  ///< [8, 100000]: about as many control points
+    bool tets = false;      ///< of solids: tets and octahedra, not hexahedra
+    Progress progress{};
+
+    /// @throws InvalidInput
+    void Validate() const;
+};
+
+/// What was made, and whether it is what was asked for.
+struct StartReport {
+    Offset n_components = 0, target_components = 0;  ///< of the boundary, of the target
+    Offset euler = 0, target_euler = 0;              ///< their Euler characteristics (vertices - edges + faces)
+    bool has_target_topology = false;                ///< both agree
+    double least_quality = 0;                        ///< of solids: the least corner, as scaled Jacobian, in (0, 1]
+    Offset n_folded = 0;  ///< hexahedra that are folded inside although their corners are not; 0 as a rule
+};
+
+/// A lattice around a closed surface. Every corner of every hexahedron, every tet and octahedron is
+/// positive; the boundary is a closed manifold.
+/// Deterministic, for any number of threads. Cost: some seconds at most for a few thousand control points.
+/// @throws InvalidInput where there is nothing, a position is not finite or beyond 1e75, a triangle names a point that
+/// is not there, the surface is open or encloses nothing; Cancelled
+ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
+
+}  // namespace SolidSubdiv::Fit

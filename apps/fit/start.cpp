@@ -8,6 +8,7 @@
 
 #include <solidsubdiv/apps/fit/internal/start/block_meshes.h>
 #include <solidsubdiv/apps/fit/internal/start/block_search.h>
+#include <solidsubdiv/apps/fit/internal/start/decimation.h>
 #include <solidsubdiv/apps/fit/internal/start/draw_to_target.h>
 #include <solidsubdiv/apps/fit/internal/start/target_shape.h>
 #include <solidsubdiv/far/topology_refiner.h>
@@ -76,6 +77,47 @@ ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const S
     return std::move(made[best].mesh);
 }
 
+void RequireManifold(const TargetShape& shape) {
+    Offset n_edges = 0, n_vertices = 0;
+    for (const auto& c : shape.components) {
+        n_edges += c.n_non_manifold_edges;
+        n_vertices += c.n_non_manifold_vertices;
+    }
+    const Offset n_flipped = shape.CountFlippedEdges();
+    if (n_edges + n_vertices + n_flipped == 0) return;
+    throw InvalidInput("the target is no oriented manifold: " + std::to_string(n_edges) +
+                       " edges of more than two triangles, " + std::to_string(n_vertices) +
+                       " vertices where several fans of triangles meet, " + std::to_string(n_flipped) +
+                       " edges whose triangles look against each other; a cage of triangles needs one");
+}
+
+ControlMesh MakeDecimatedCage(const TargetShape& shape, const StartOptions& options, StartReport& report) {
+    RequireManifold(shape);
+    Report(options.progress, "start: decimation", 0);
+    const Geometry::ClosestPoints surface(shape.positions, shape.triangles);
+    const auto nearest = [&](std::span<const double> points) {
+        std::vector<double> places;
+        for (const auto& c : surface.Find(points)) places.insert(places.end(), c.position.begin(), c.position.end());
+        return places;
+    };
+    Decimated made = Decimate(shape.positions, shape.triangles, static_cast<std::size_t>(options.n_control), nearest);
+    ControlMesh mesh;
+    mesh.positions = std::move(made.positions);
+    mesh.triangles = std::move(made.triangles);
+    const auto components = Geometry::SurfaceComponents(mesh.triangles, mesh.n_vertices());
+    report.n_components = static_cast<Offset>(components.size());
+    for (const auto& c : components) report.euler += c.EulerCharacteristic();
+    report.has_target_topology = report.n_components == report.target_components && report.euler == report.target_euler;
+    return mesh;
+}
+
+StartReport ReportOn(const TargetShape& shape) {
+    StartReport report;
+    report.target_components = static_cast<Offset>(shape.components.size());
+    report.target_euler = shape.Euler();
+    return report;
+}
+
 }  // namespace
 
 void StartOptions::Validate() const {
@@ -87,12 +129,29 @@ void StartOptions::Validate() const {
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
     options.Validate();
     const TargetShape shape(target);
-    StartReport made;
-    made.target_components = static_cast<Offset>(shape.components.size());
-    made.target_euler = shape.Euler();
+    StartReport made = ReportOn(shape);
+    ControlMesh mesh;
+    const BlockMeshKind kind = options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes;
     if (shape.triangles.empty()) throw InvalidInput("the target has no triangles");
     RequireClosed(shape);
-    ControlMesh mesh = MakeBlockStart(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, made);
+    mesh = MakeBlockStart(shape, kind, options, made);
+    shape.Restore(mesh.positions);
+    if (report) *report = made;
+    return mesh;
+}
+
+ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, StartReport* report) {
+    options.Validate();
+    const TargetShape shape(target);
+    StartReport made = ReportOn(shape);
+    ControlMesh mesh;
+    if (shape.triangles.empty()) throw InvalidInput("the target has no triangles");
+    if (options.quads) {
+        RequireClosed(shape);
+        mesh = MakeBlockStart(shape, BlockMeshKind::Quads, options, made);
+    } else {
+        mesh = MakeDecimatedCage(shape, options, made);
+    }
     shape.Restore(mesh.positions);
     if (report) *report = made;
     return mesh;

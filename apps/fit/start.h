@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a fit starts: a lattice around a target of about as many control points as asked for.
+// Where a fit starts: a lattice around a target, or a cage, of about as many control points as asked for.
 //
 //     Fit::StartReport report;
 //     const Fit::ControlMesh lattice = Fit::MakeSolidStart(target, {.n_control = 300}, &report);
@@ -16,9 +16,11 @@
 //     |   |   |          | +---+ |
 //     +---+---+          o---o---o
 //
+// A cage of triangles is the target with most of its vertices taken away, those first that it needs least.
+//
 // Everything is done at the size of the target: its unit does not matter, nor where it lies.
 //
-// Source: rules.md, section 4 (why layers).
+// Sources: garland1997quadrics (cages), rules.md, section 4 (why layers).
 #pragma once
 
 #include <solidsubdiv/apps/fit/control_mesh.h>
@@ -29,6 +31,7 @@ namespace SolidSubdiv::Fit {
 struct StartOptions {
     Index n_control = 300;  ///< [8, 100000]: about as many control points
     bool tets = false;      ///< of solids: tets and octahedra, not hexahedra
+    bool quads = false;     ///< of cages: quadrilaterals, not triangles
     Progress progress{};
 
     /// @throws InvalidInput
@@ -40,8 +43,8 @@ struct StartReport {
     Offset n_components = 0, target_components = 0;  ///< of the boundary, of the target
     Offset euler = 0, target_euler = 0;              ///< their Euler characteristics (vertices - edges + faces)
     bool has_target_topology = false;                ///< both agree
-    double least_quality = 0;                        ///< of solids: the least corner, as scaled Jacobian, in (0, 1]
-    Offset n_folded = 0;  ///< hexahedra that are folded inside although their corners are not; 0 as a rule
+    double least_quality = 0;  ///< of solids: the least corner, as scaled Jacobian, in (0, 1]; of cages 0
+    Offset n_folded = 0;       ///< hexahedra that are folded inside although their corners are not; 0 as a rule
 };
 
 /// A lattice around a closed surface. Every corner of every hexahedron, every tet and octahedron is
@@ -50,5 +53,10 @@ struct StartReport {
 /// @throws InvalidInput where there is nothing, a position is not finite or beyond 1e75, a triangle names a point that
 /// is not there, the surface is open or encloses nothing; Cancelled
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
+
+/// A cage around a surface. Triangles keep the components, handles and borders of the target, which
+/// must be a manifold; quadrilaterals are the boundary of a solid start.
+/// @throws InvalidInput as MakeSolidStart, but that triangles may be open; Cancelled
+ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
 
 }  // namespace SolidSubdiv::Fit

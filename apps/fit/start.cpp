@@ -10,6 +10,7 @@
 #include <solidsubdiv/apps/fit/internal/start/block_search.h>
 #include <solidsubdiv/apps/fit/internal/start/decimation.h>
 #include <solidsubdiv/apps/fit/internal/start/draw_to_target.h>
+#include <solidsubdiv/apps/fit/internal/start/ellipsoid.h>
 #include <solidsubdiv/apps/fit/internal/start/target_shape.h>
 #include <solidsubdiv/far/topology_refiner.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
@@ -129,12 +130,13 @@ void StartOptions::Validate() const {
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
     options.Validate();
     const TargetShape shape(target);
-    StartReport made = ReportOn(shape);
-    ControlMesh mesh;
-    const BlockMeshKind kind = options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes;
-    if (shape.triangles.empty()) throw InvalidInput("the target has no triangles");
+    if (shape.triangles.empty()) {
+        const Ellipsoid around = MakeEllipsoid(target.positions, options.n_control);
+        return MakeSolidStart({.positions = around.positions, .triangles = around.triangles}, options, report);
+    }
     RequireClosed(shape);
-    mesh = MakeBlockStart(shape, kind, options, made);
+    StartReport made = ReportOn(shape);
+    ControlMesh mesh = MakeBlockStart(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, made);
     shape.Restore(mesh.positions);
     if (report) *report = made;
     return mesh;
@@ -143,9 +145,12 @@ ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& opti
 ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, StartReport* report) {
     options.Validate();
     const TargetShape shape(target);
+    if (shape.triangles.empty()) {
+        const Ellipsoid around = MakeEllipsoid(target.positions, options.n_control);
+        return MakeCage({.positions = around.positions, .triangles = around.triangles}, options, report);
+    }
     StartReport made = ReportOn(shape);
     ControlMesh mesh;
-    if (shape.triangles.empty()) throw InvalidInput("the target has no triangles");
     if (options.quads) {
         RequireClosed(shape);
         mesh = MakeBlockStart(shape, BlockMeshKind::Quads, options, made);

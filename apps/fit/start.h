@@ -47,15 +47,15 @@ struct StartReport {
     Offset n_folded = 0;       ///< hexahedra that are folded inside although their corners are not; 0 as a rule
 };
 
-/// A lattice around a closed surface. Every corner of every hexahedron, every tet and octahedron is
-/// positive; the boundary is a closed manifold.
+/// A lattice around a closed surface, or around points. Every corner of every hexahedron, every tet and octahedron is
+/// positive; the boundary is a closed manifold. Around points alone it is an ellipsoid of their box.
 /// Deterministic, for any number of threads. Cost: some seconds at most for a few thousand control points.
 /// @throws InvalidInput where there is nothing, a position is not finite or beyond 1e75, a triangle names a point that
 /// is not there, the surface is open or encloses nothing; Cancelled
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
 
-/// A cage around a surface. Triangles keep the components, handles and borders of the target, which
-/// must be a manifold; quadrilaterals are the boundary of a solid start.
+/// A cage around a surface, or around points. Triangles keep the components, handles and borders of the target, which
+/// must be a manifold; quadrilaterals are the boundary of a solid start. Positions are on the target, for triangles.
 /// @throws InvalidInput as MakeSolidStart, but that triangles may be open; Cancelled
 ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
 

@@ -6,6 +6,7 @@
 #include <solidsubdiv/sdc/errors.h>
 
 #include "apps/fit/start_testing.h"
+#include "test_shapes.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
@@ -89,6 +90,29 @@ TEST(Cage, BadTargetsAreNamed) {
     Surface turned = SphereAt({0, 0, 0}, 1);
     std::swap(turned.triangles[0], turned.triangles[1]);
     EXPECT_THAT(message_of(turned, {}), testing::HasSubstr("3 edges whose triangles look against each other"));
+}
+
+/// Points of a long tilted box: no start has triangles to go by.
+TEST(CloudStart, IsAnEllipsoidOfAboutAsManyControlPoints) {
+    TestShapes::Random random(5);
+    Surface cloud;
+    for (int i = 0; i < 500; ++i) {
+        const double x = 3 * random.Uniform(), y = random.Uniform(), z = random.Uniform();
+        cloud.points.insert(cloud.points.end(), {x - .5 * y, y + .5 * x, z});
+    }
+    for (bool is_solid : {true, false}) {
+        StartReport report;
+        const StartOptions options{.n_control = 150};
+        const ControlMesh mesh =
+            is_solid ? MakeSolidStart(cloud.View(), options, &report) : MakeCage(cloud.View(), options, &report);
+        const auto boundary = BoundaryOf(mesh);
+        ASSERT_EQ(boundary.size(), 1u);
+        EXPECT_EQ(boundary[0].EulerCharacteristic(), 2);
+        EXPECT_TRUE(report.has_target_topology);
+        EXPECT_NEAR(mesh.n_vertices(), 150, .15 * 150);
+        // Of a cage there is no cell: infinite.
+        EXPECT_GT(LeastDeterminant(mesh), 0);
+    }
 }
 
 TEST(TetStart, IsPositiveAndHasTheTopologyOfItsTarget) {

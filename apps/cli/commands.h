@@ -27,6 +27,9 @@ Work AddDeform(CLI::App& command);
 #if defined(SOLIDSUBDIV_HAS_VOXEL)
 Work AddVoxelize(CLI::App& command);
 #endif
+#if defined(SOLIDSUBDIV_HAS_FIT)
+Work AddFit(CLI::App& command);
+#endif
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
 Work AddAnalyze(CLI::App& command);
 #endif
@@ -46,6 +49,9 @@ inline constexpr std::array kCommands = {
 #if defined(SOLIDSUBDIV_HAS_VOXEL)
     Command{"voxelize", "fill a refined solid with voxels: level sets, fog, attributes, as OpenVDB's grids",
             AddVoxelize},
+#endif
+#if defined(SOLIDSUBDIV_HAS_FIT)
+    Command{"fit", "fit a control lattice or a cage to a shape, so that its limit is that shape", AddFit},
 #endif
 #if defined(SOLIDSUBDIV_HAS_ANALYSIS)
     Command{"analyze", "eigenvalues of a scheme, and what they say about smoothness", AddAnalyze},

@@ -55,6 +55,11 @@ double VolumeOf(const std::array<Index, 4>& corner, std::span<const double> cont
            e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
 }
 
+int CountFolded(std::span<const std::array<Index, 4>> corners, std::span<const double> control) {
+    return static_cast<int>(std::count_if(corners.begin(), corners.end(),
+                                          [&](const auto& corner) { return !(VolumeOf(corner, control) > 0); }));
+}
+
 /// Where the barrier begins. Corners that are folded at the start are to become as large as the middle one.
 std::vector<double> LeastVolumes(const Problem& problem, double flat) {
     std::vector<double> volumes;
@@ -90,6 +95,25 @@ void Mirror(const Problem& problem, std::vector<double>& control) {
             b[c] = c == axis ? 2 * problem.mirror_offset - mean : mean;
         }
     }
+}
+
+std::vector<double> DistancesOf(std::span<const double> points, const Geometry::ClosestPoints& to) {
+    std::vector<double> distances;
+    for (const Geometry::ClosestPoint& p : to.Find(points)) distances.push_back(p.distance);
+    return distances;
+}
+
+void Measure(const Problem& problem, Result& result) {
+    const MovingSurface& surface = problem.fine.triangles.empty() ? problem.surface : problem.fine;
+    const TargetSurface& target = problem.target;
+    result.vertices = surface.Positions(result.control);
+    if (target.positions.empty()) return;
+    const Geometry::ClosestPoints on_target(target.positions, target.triangles);
+    const Geometry::ClosestPoints on_surface(result.vertices, surface.triangles);
+    result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target);
+    result.from_target = MeasureDistance(target.positions, target.triangles, on_surface);
+    result.to_target_distances = DistancesOf(result.vertices, on_target);
+    result.from_target_distances = DistancesOf(target.positions, on_surface);
 }
 
 void RequireRange(const char* name, double value, double least, double most) {
@@ -128,7 +152,7 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
     const Far::StencilRows<double> fair_rows = AffineRows(scaled.control, scaled.neighbors);
     const std::vector<double> least_volumes = LeastVolumes(scaled, options.flat);
     const PairFinder finder(scaled);
-    const StepSettings settings{scaled, fair_rows, least_volumes, options.barrier, options.across};
+    StepSettings settings{scaled, fair_rows, least_volumes, options.barrier, options.across};
 
     Result result;
     std::vector<double>& control = scaled.control;
@@ -155,7 +179,11 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
             if (options.tolerance > 0 && std::max(round.surface_rms, round.target_rms) <= options.tolerance) {
                 result.stopped = "tolerance";
             } else if (is_least_fair && std::abs(last_error - error) <= options.least_change * error) {
-                result.stopped = "change";
+                if (settings.barrier > 0 && CountFolded(scaled.corners, control) > 0) {
+                    settings.barrier *= 10;
+                } else {
+                    result.stopped = "change";
+                }
             }
             if (result.stopped == "rounds") {
                 const StepReport report = SolveStep(settings, pairs, fairness, control);
@@ -177,13 +205,8 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
         std::copy_n(&problem.control[3 * static_cast<std::size_t>(p)], 3,
                     &result.control[3 * static_cast<std::size_t>(p)]);
     }
-    result.vertices = problem.surface.Positions(result.control);
-    for (const auto& corner : problem.corners) result.n_folded += !(VolumeOf(corner, control) > 0);
-    if (problem.target.positions.empty()) return result;
-    const Geometry::ClosestPoints on_target(problem.target.positions, problem.target.triangles);
-    const Geometry::ClosestPoints on_surface(result.vertices, problem.surface.triangles);
-    result.to_target = MeasureDistance(result.vertices, problem.surface.triangles, on_target);
-    result.from_target = MeasureDistance(problem.target.positions, problem.target.triangles, on_surface);
+    result.n_folded = CountFolded(scaled.corners, control);
+    Measure(problem, result);
     return result;
 }
 

@@ -18,7 +18,9 @@
 //   + fairness * mean over control points of |p - sum of w_j p_j|^2, weights that reproduce the start's neighbourhood:
 //         it is 0 for all affine maps of the start
 //   + barrier * sum over corners of cells of max(0, 1 - volume / (flat * volume at the start))^2
-// Fairness begins high and is halved each round: large movements first, then details.
+// Fairness begins high and is halved each round: large movements first, then details. A barrier that is high from the
+// start stops cells on their way; it is made ten times higher as long as corners are folded where rounds come to an
+// end.
 //
 // Source: distances along normals: chen1991modelling; subdivision surfaces fitted by nearest points and linear
 // least-squares in turns: hoppe1994piecewise.
@@ -46,7 +48,8 @@ struct MovingSurface {
 };
 
 struct Problem {
-    MovingSurface surface;
+    MovingSurface surface;        ///< compared with the target each round
+    MovingSurface fine{};         ///< the same with smaller facets, to measure the result on; none: `surface`
     TargetSurface target{};       ///< a view
     std::vector<double> control;  ///< (n, 3): the start
     /// For fairness: the control points around each, itself not among them.
@@ -65,16 +68,29 @@ struct Problem {
     void Validate() const;
 };
 
-/// The limit of a control mesh's boundary (of a cage: of itself) as the surface, `rate` squared facets a face.
+/// The limit of a control mesh's boundary (of a cage: of itself) as the surface, each edge of a face cut in `rate`, and
+/// in `fine_rate` for the result (0: in as many).
 /// @throws InvalidInput where the scheme can't refine the mesh
-Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate = 4);
+Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate = 4,
+                    int fine_rate = 0);
+
+/// A lattice whose deformation carries a model: the surface is the model, embedded in the lattice refined `levels`
+/// times.
+/// @throws InvalidInput where the lattice has no cells, the scheme can't refine it, or a point of the model lies
+/// outside
+Problem MakeLatticeProblem(const ControlMesh& lattice, const Sdc::Scheme& scheme, const TargetSurface& model,
+                           const TargetSurface& target, int levels = 2);
+
+/// Cubes in rows around the box of points (n, 3), a layer beyond it on every side, of about so many control points.
+/// @throws InvalidInput where there is no point, or n_control is not in [64, 100000]
+ControlMesh MakeBoxLattice(std::span<const double> points, Index n_control);
 
 struct Options {
     int max_rounds = 40;           ///< [1, 10000]
     double fairness = 1;           ///< >= 0, at the first round
     double least_fairness = 1e-4;  ///< >= 0
-    double barrier = 1;            ///< >= 0
-    double flat = 0.2;             ///< (0, 1): part of a corner's volume at the start below which the barrier stands
+    double barrier = 1e-7;         ///< >= 0
+    double flat = 0.1;             ///< (0, 1): part of a corner's volume at the start below which the barrier stands
     double across = 1e-3;          ///< [0, 1]: how much of a distance across the normal counts; 1: as much as along
     double robust = 0;             ///< >= 0: distances, in medians, at which points begin to count less; 0: never
     double tolerance = 0;          ///< >= 0, unit of the positions: stop as soon as both RMS distances are below
@@ -94,7 +110,9 @@ struct Round {
 
 struct Result {
     std::vector<double> control;
-    std::vector<double> vertices;  ///< of the surface
+    /// Of the fine surface, or of the surface where there is none: its vertices, the distance of each to the target,
+    /// and of each of the target's points to it.
+    std::vector<double> vertices, to_target_distances, from_target_distances;
     std::vector<Round> rounds;
     Geometry::DistanceSummary to_target, from_target;
     int n_folded = 0;           ///< corners of cells of no positive volume

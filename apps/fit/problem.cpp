@@ -2,9 +2,11 @@
 // Problems of control meshes: the limit of the boundary as rows, neighbours and corners from the elements.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string>
 
+#include <solidsubdiv/apps/deform/embedding.h>
 #include <solidsubdiv/apps/fit/fit.h>
 #include <solidsubdiv/kit/geometry/tessellation.h>
 #include <solidsubdiv/sdc/cells.h>
@@ -81,18 +83,41 @@ std::vector<double> MovingSurface::Positions(std::span<const double> control) co
     return positions;
 }
 
-Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate) {
+Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate,
+                    int fine_rate) {
     const Far::TopologyDescriptor topology = mesh.View();
     const bool is_polyhedral = !mesh.hexes.empty() || !mesh.quads.empty() || !Sdc::Takes(scheme, Sdc::Split::TetOct);
     const auto refiner =
         Far::TopologyRefiner::Create(topology, is_polyhedral ? Sdc::Split::Polyhedral : Sdc::Split::TetOct);
-    Geometry::Tessellation surface = Geometry::TessellateBoundary(refiner, scheme, {.rate = rate, .normals = false});
-    Problem problem{.surface = {std::move(surface.rows), std::move(surface.triangles)},
+    const auto surface_at = [&](int facets) {
+        Geometry::Tessellation t = Geometry::TessellateBoundary(refiner, scheme, {.rate = facets, .normals = false});
+        return MovingSurface{std::move(t.rows), std::move(t.triangles)};
+    };
+    Problem problem{.surface = surface_at(rate),
                     .target = target,
                     .control = mesh.positions,
                     .neighbors = NeighborsOf(mesh),
                     .corners = CornersOf(mesh)};
+    if (fine_rate > 0 && fine_rate != rate) problem.fine = surface_at(fine_rate);
     return problem;
+}
+
+Problem MakeLatticeProblem(const ControlMesh& lattice, const Sdc::Scheme& scheme, const TargetSurface& model,
+                           const TargetSurface& target, int levels) {
+    const auto embedding = Deform::Embedding::Create(lattice.View(), lattice.positions, model.positions,
+                                                     {.scheme = scheme, .levels = levels});
+    if (!embedding.outside().empty()) {
+        throw InvalidInput("fit: " + std::to_string(embedding.outside().size()) +
+                           " points of the model lie outside the lattice, the first is point " +
+                           std::to_string(embedding.outside().front().point) + "; make the lattice larger");
+    }
+    std::vector<Index> all(static_cast<std::size_t>(embedding.n_points()));
+    std::iota(all.begin(), all.end(), 0);
+    return {.surface = {embedding.ControlRows(all), {model.triangles.begin(), model.triangles.end()}},
+            .target = target,
+            .control = lattice.positions,
+            .neighbors = NeighborsOf(lattice),
+            .corners = CornersOf(lattice)};
 }
 
 void Problem::Validate() const {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// solidsubdiv fit TARGET -o DIR: a control lattice or cage whose limit is the target's shape.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+
+#include <solidsubdiv/apps/cli/commands.h>
+#include <solidsubdiv/apps/cli/files_help.h>
+#include <solidsubdiv/apps/cli/fit_command.h>
+
+namespace SolidSubdiv::Cli {
+
+Work AddFit(CLI::App& command) {
+    const auto options = std::make_shared<FitCommandOptions>();
+    FitCommandOptions& o = *options;
+    const Fit::Options defaults;
+    command.add_option("TARGET", o.input, "the shape: a surface, or a solid, whose boundary is taken")
+        ->required()
+        ->option_text(" ");
+    command.add_option("-o,--output", o.folder, "a folder for all that is found; made where it is not there")
+        ->required()
+        ->option_text("DIR (required)");
+    command
+        .add_option("--model", o.model,
+                    "solid: a lattice of cells whose boundary's limit is the target\n(default for closed targets);\n"
+                    "surface: a cage whose limit is")
+        ->option_text("solid|surface")
+        ->check(CLI::IsMember({"solid", "surface"}));
+    command.add_option("--control", o.control, "about how many control points; default 400")
+        ->option_text("N")
+        ->check(CLI::Range(8, 100'000));
+    command.add_option("--levels", o.levels, "refinements of the solid in fitted.vtu; default 3")
+        ->option_text("N")
+        ->check(CLI::Range(0, 8));
+    command
+        .add_option(
+            "--iterations", o.fit.max_rounds,
+            "rounds of nearest points and least squares at most;\ndefault " + std::to_string(defaults.max_rounds))
+        ->option_text("N")
+        ->check(CLI::Range(1, 10'000));
+    command
+        .add_option("--tolerance", o.fit.tolerance,
+                    "stop as soon as the root of the mean squared distance is\nbelow this, both ways, in the target's "
+                    "unit; default 0")
+        ->option_text("T")
+        ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--fairness", o.fit.least_fairness,
+                    "how stiff the lattice stays in the end: 0.01 smooths noise,\n1e-6 follows every detail; default "
+                    "1e-4")
+        ->option_text("F")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--robust", o.fit.robust,
+                    "count points less that are farther than so many times the\nmedian distance (outliers, holes); "
+                    "default 0: all count alike")
+        ->option_text("R")
+        ->check(CLI::Range(0.0, 1e6));
+    AddSchemeOptions(command, o.scheme);
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+    command.add_flag("!--no-pictures", o.pictures, "leave out pictures and report.html");
+#endif
+    command.footer(
+        "Into DIR go lattice.vtu (or cage.obj), the control mesh; fitted.obj, its limit surface; fitted.vtu, that with "
+        "each\nvertex's distance from the target; solid.vtu, the refined solid; fit.json with settings, distances both "
+        "ways,\nfolded cells and times; pictures and report.html. docs/fitting.md explains how it works.\n\n" +
+        SchemesHelp() + "\n\n" + ReadableFilesHelp() +
+        "\n\nExamples:\n"
+        "  solidsubdiv fit scan.obj -o fitted\n"
+        "  solidsubdiv fit scan.ply -o fitted --model surface --scheme loop --control 500 --json -\n"
+        "  solidsubdiv fit scan.stl -o fitted --scheme box-spline --control 300 --robust 3");
+    return [options](Session& session) { RunFit(*options, session); };
+}
+
+}  // namespace SolidSubdiv::Cli

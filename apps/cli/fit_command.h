@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `fit` is asked for, and all of its work.
+#pragma once
+
+#include <string>
+
+#include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/scheme_options.h>
+#include <solidsubdiv/apps/fit/fit.h>
+
+namespace SolidSubdiv::Cli {
+
+struct FitCommandOptions {
+    std::string input, folder;
+    std::string model;  ///< "solid", "surface"; empty: solid where the target is closed
+    SchemeOptions scheme;
+    int control = 400;  ///< about so many control points
+    int levels = 3;     ///< of the refined solid that is written
+    bool pictures = true;
+    Fit::Options fit;
+};
+
+/// Does all of it. @throws UsageError, IoError, InvalidInput, SolverError, Cancelled
+void RunFit(const FitCommandOptions& options, Session& session);
+
+}  // namespace SolidSubdiv::Cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers of a fit as JSON and text, its rounds as a plot, its shapes as a picture.
+#include <solidsubdiv/apps/cli/fit_report.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+#include <solidsubdiv/kit/picture/cut.h>
+#include <solidsubdiv/kit/picture/image.h>
+#include <solidsubdiv/kit/picture/panels.h>
+#include <solidsubdiv/kit/picture/plot.h>
+#endif
+
+namespace SolidSubdiv::Cli {
+
+namespace {
+
+Json DistanceJson(const Geometry::DistanceSummary& d, double diagonal) {
+    Json json;
+    const auto add = [&](const char* name, double value) {
+        json[name] = value;
+        json[std::string(name) + "_percent"] = 100 * value / diagonal;
+    };
+    add("rms", d.rms);
+    add("mean", d.mean);
+    add("p95", d.p95);
+    add("p99", d.p99);
+    add("max", d.most);
+    json["points"] = d.n_points;
+    return json;
+}
+
+std::string Line(const char* name, const Geometry::DistanceSummary& d, double diagonal) {
+    char text[200];
+    const auto percent = [&](double x) { return 100 * x / diagonal; };
+    std::snprintf(text, sizeof text, "\n%-20s %10.4f %% %10.4f %% %10.4f %% %10.4f %%", name, percent(d.rms),
+                  percent(d.p95), percent(d.p99), percent(d.most));
+    return text;
+}
+
+}  // namespace
+
+Json FitJson(const FitSummary& s) {
+    Json json;
+    json["stopped"] = s.result.stopped;
+    json["linear_solver"] = s.result.linear_solver;
+    json["folded_corners"] = s.result.n_folded;
+    json["surface_to_target"] = DistanceJson(s.result.to_target, s.diagonal);
+    json["target_to_surface"] = DistanceJson(s.result.from_target, s.diagonal);
+    json["hausdorff"] = std::max(s.result.to_target.most, s.result.from_target.most);
+    for (const Fit::Round& r : s.result.rounds) {
+        json["rounds"].push_back({{"fairness", r.fairness},
+                                  {"surface_rms", r.surface_rms},
+                                  {"target_rms", r.target_rms},
+                                  {"steps", r.steps},
+                                  {"seconds", r.seconds}});
+    }
+    return json;
+}
+
+std::string FitText(const FitSummary& s, const Json& json) {
+    std::string text = json["settings"]["model"].get<std::string>() + " of " +
+                       Counted(json["control"]["points"].get<long long>(), "control point", "control points");
+    if (json.contains("solid")) {
+        text += ", " + Counted(json["control"]["cells"].get<long long>(), "cell", "cells");
+    } else {
+        text += ", " + Counted(json["control"]["faces"].get<long long>(), "face", "faces");
+    }
+    text += "; " + Counted(static_cast<long long>(s.result.rounds.size()), "round", "rounds") + ", stopped by " +
+            s.result.stopped;
+    char head[120];
+    std::snprintf(head, sizeof head, "\n%-20s %12s %12s %12s %12s", "of the diagonal", "RMS", "95 %", "99 %",
+                  "largest");
+    text += head + Line("limit to target", s.result.to_target, s.diagonal) +
+            Line("target to limit", s.result.from_target, s.diagonal);
+    if (json.contains("solid")) {
+        text += "\n" + Counted(json["solid"]["folded"].get<long long>(), "cell", "cells") + " of " +
+                std::to_string(json["solid"]["cells"].get<long long>()) +
+                " refined ones folded, least scaled Jacobian " +
+                Text(json["solid"]["least_scaled_jacobian"].get<double>());
+    }
+    return text;
+}
+
+void WriteText(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw IoError(file.string() + ": can't be written");
+}
+
+#ifdef SOLIDSUBDIV_HAS_PICTURES
+void WriteConvergence(const std::filesystem::path& file, const FitSummary& s) {
+    Picture::Plot plot{.title = "distances, round by round",
+                       .x_label = "round",
+                       .y_label = "RMS in percent of the diagonal",
+                       .is_logarithmic = true};
+    Picture::PlotSeries there{.name = "limit to target", .is_line = true},
+        back{.name = "target to limit", .is_line = true};
+    for (std::size_t i = 0; i < s.result.rounds.size(); ++i) {
+        const Fit::Round& r = s.result.rounds[i];
+        constexpr double kLeast = 1e-12;  // what is exact has no logarithm
+        there.points.push_back({static_cast<double>(i), std::max(kLeast, 100 * r.surface_rms / s.diagonal)});
+        back.points.push_back({static_cast<double>(i), std::max(kLeast, 100 * r.target_rms / s.diagonal)});
+    }
+    plot.series = {there, back};
+    WriteText(file, Picture::ToSvg(plot));
+}
+
+void WriteFitPicture(const std::filesystem::path& file, const FitSummary& s, const Io::Mesh& control,
+                     const Progress& progress) {
+    const Fit::MovingSurface& limit = s.problem.fine.triangles.empty() ? s.problem.surface : s.problem.fine;
+    std::vector<double> percent;
+    for (double d : s.result.to_target_distances) percent.push_back(100 * d / s.diagonal);
+    const double high = std::max(1e-9, 100 * s.result.to_target.p99 / s.diagonal);
+    Picture::Scene target, lattice, error;
+    target.Add(Picture::Surface{.positions = s.problem.target.positions, .triangles = s.problem.target.triangles});
+    lattice.Add(Picture::Surface{.positions = s.result.vertices, .triangles = limit.triangles});
+    const std::vector<Index> edges = Picture::ElementEdges(control.topology);
+    lattice.Add(Picture::Lines{
+        .positions = control.positions, .edges = edges, .color = Picture::Palette::kLattice, .width = 2});
+    error.Add(Picture::Surface{
+        .positions = s.result.vertices, .triangles = limit.triangles, .values = percent, .low = 0, .high = high});
+    const Picture::ScenePanel panels[] = {
+        {&target, "target"},
+        {&lattice, "limit of the control mesh"},
+        {&error, "distance from the target",
+         Picture::ColorBar{.low = 0, .high = high, .title = "percent of the diagonal"}}};
+    Picture::WritePng(file, Picture::RenderPanels(panels, {.azimuth = 20, .elevation = 14},
+                                                  {.width = 640, .height = 600}, {.columns = 3}, progress));
+}
+#endif
+
+}  // namespace SolidSubdiv::Cli

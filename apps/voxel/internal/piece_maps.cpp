@@ -80,17 +80,21 @@ void SolveFour(const std::array<Polynomial, 3>& map, const FourVecs& points, boo
 constexpr std::array<Vec, 8> kHexCorners = {
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 
-}  // namespace
-
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
-void PlacesInPiece::Evaluate(const Polynomial& f, std::span<float> values) const {
+void EvaluateAt(const Polynomial& f, const double* u, const double* v, const double* w, std::span<float> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double a = u[i], b = v[i], c = w[i];
         values[i] =
             static_cast<float>(f[0] + a * (f[1] + b * f[4]) + b * f[2] + c * (f[3] + a * f[5] + b * (f[6] + a * f[7])));
     }
+}
+
+}  // namespace
+
+void PlacesInPiece::Evaluate(const Polynomial& f, std::span<float> values) const {
+    EvaluateAt(f, u.data(), v.data(), w.data(), values);
 }
 
 PieceMaps::PieceMaps(const Far::TopologyRefiner& refiner, int level, const VoxelSolid& solid)

@@ -104,4 +104,8 @@ FindRows(const Tet& v, const PointGrid& grid, std::span<Row> rows) {
     return n_rows;
 }
 
+}  // namespace
+
+std::size_t FindRows(const Tet& tet, const PointGrid& grid, std::span<Row> rows) { return FindRowsOf(tet, grid, rows); }
+
 }  // namespace SolidSubdiv::Voxel::Internal

@@ -16,13 +16,12 @@ typedef std::int32_t FourInts __attribute__((vector_size(4 * sizeof(std::int32_t
 /// Of a tet that is all but flat points may be outside no farther than a thousandth of its height.
 constexpr double kSlack = 1e-9, kSlackOfHeight = 1e-3;
 
-}  // namespace
-
+// Clones stay in this file: clang 14 does not find them from others.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
 std::size_t
-FindRows(const Tet& v, const PointGrid& grid, std::span<Row> rows) {
+FindRowsOf(const Tet& v, const PointGrid& grid, std::span<Row> rows) {
     const Four zero{};
     const double scale = 1 / grid.step;
     Four low = {v[0][0], v[0][1], v[0][2], 0}, high = low;

@@ -23,31 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes again where nothing came into it.
-class Folder {
-  public:
-    explicit Folder(const std::string& name) : path_(name) {
-        std::error_code error;
-        if (fs::exists(path_, error) && !fs::is_directory(path_, error)) {
-            throw IoError(name + ": is no folder; name one for the results");
-        }
-        is_new_ = fs::create_directory(path_, error);
-        if (error) throw IoError(name + ": can't be made: " + error.message());
-    }
-    ~Folder() {
-        std::error_code ignored;
-        if (is_new_) fs::remove(path_, ignored);  // only where it is empty
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    fs::path File(const std::string& name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-    bool is_new_ = false;
-};
-
 Io::Mesh MeshOf(const Fit::ControlMesh& control) {
     Io::Mesh mesh;
     mesh.positions = control.positions;
@@ -65,10 +40,11 @@ class FitCommand {
     FitCommand(const FitCommandOptions& options, Session& session) : options_(options), session_(session) {}
 
     void Run() {
-        const Folder folder(options_.folder);
-        // Found out before any work.
+        // What can't be written is found out before any work.
+        session_.outputs().MakeFolder(options_.folder);
         const auto stage = [&](const std::string& name) {
-            staged_.push_back({name, folder.File(name), session_.outputs().Stage(folder.File(name))});
+            const fs::path file = fs::path(options_.folder) / name;
+            staged_.push_back({name, file, session_.outputs().Stage(file)});
         };
         ReadTarget();
         for (const char* name : {"fitted.obj", "fitted.vtu", "fit.json"}) stage(name);
@@ -76,7 +52,7 @@ class FitCommand {
         if (is_solid_) stage("solid.vtu");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
         if (options_.pictures) {
-            for (const char* name : {"fit.png", "convergence.svg"}) stage(name);
+            for (const char* name : {"fit.png", "convergence.svg", "report.html"}) stage(name);
         }
 #endif
         About(options_.input, [&] {
@@ -250,9 +226,13 @@ class FitCommand {
 #ifdef SOLIDSUBDIV_HAS_PICTURES
         if (options_.pictures) {
             session_.Stage("pictures");
-            WriteConvergence(StagedFile("convergence.svg").written, summary);
-            WriteFitPicture(StagedFile("fit.png").written, summary, ControlSurface(), session_.progress());
-            for (const char* name : {"fit.png", "convergence.svg"}) AddOutput(StagedFile(name));
+            const std::string plot = ConvergencePlot(summary);
+            const Io::Mesh control = ControlSurface();
+            const std::vector<std::uint8_t> picture = FitPicture(summary, control, session_.progress());
+            WriteText(StagedFile("convergence.svg").written, plot);
+            WriteText(StagedFile("fit.png").written, std::string(picture.begin(), picture.end()));
+            WriteText(StagedFile("report.html").written, FitPage(summary, control, json_, text_, plot, picture));
+            for (const char* name : {"fit.png", "convergence.svg", "report.html"}) AddOutput(StagedFile(name));
         }
 #endif
         session_.EndStage();

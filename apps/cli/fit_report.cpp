@@ -12,6 +12,7 @@
 #include <solidsubdiv/kit/picture/image.h>
 #include <solidsubdiv/kit/picture/panels.h>
 #include <solidsubdiv/kit/picture/plot.h>
+#include <solidsubdiv/kit/picture/report_page.h>
 #endif
 
 namespace SolidSubdiv::Cli {
@@ -93,7 +94,7 @@ void WriteText(const std::filesystem::path& file, const std::string& text) {
 }
 
 #ifdef SOLIDSUBDIV_HAS_PICTURES
-void WriteConvergence(const std::filesystem::path& file, const FitSummary& s) {
+std::string ConvergencePlot(const FitSummary& s) {
     Picture::Plot plot{.title = "distances, round by round",
                        .x_label = "round",
                        .y_label = "RMS in percent of the diagonal",
@@ -107,15 +108,31 @@ void WriteConvergence(const std::filesystem::path& file, const FitSummary& s) {
         back.points.push_back({static_cast<double>(i), std::max(kLeast, 100 * r.target_rms / s.diagonal)});
     }
     plot.series = {there, back};
-    WriteText(file, Picture::ToSvg(plot));
+    return Picture::ToSvg(plot);
 }
 
-void WriteFitPicture(const std::filesystem::path& file, const FitSummary& s, const Io::Mesh& control,
-                     const Progress& progress) {
-    const Fit::MovingSurface& limit = s.problem.fine.triangles.empty() ? s.problem.surface : s.problem.fine;
+namespace {
+
+const Fit::MovingSurface& LimitOf(const FitSummary& s) {
+    return s.problem.fine.triangles.empty() ? s.problem.surface : s.problem.fine;
+}
+
+/// Distances of the limit's vertices from the target, in percent of its diagonal.
+std::vector<double> PercentOf(const FitSummary& s) {
     std::vector<double> percent;
     for (double d : s.result.to_target_distances) percent.push_back(100 * d / s.diagonal);
-    const double high = std::max(1e-9, 100 * s.result.to_target.p99 / s.diagonal);
+    return percent;
+}
+
+/// Where colours end: all but a hundredth of the area is nearer.
+double HighestPercent(const FitSummary& s) { return std::max(1e-9, 100 * s.result.to_target.p99 / s.diagonal); }
+
+}  // namespace
+
+std::vector<std::uint8_t> FitPicture(const FitSummary& s, const Io::Mesh& control, const Progress& progress) {
+    const Fit::MovingSurface& limit = LimitOf(s);
+    const std::vector<double> percent = PercentOf(s);
+    const double high = HighestPercent(s);
     Picture::Scene target, lattice, error;
     target.Add(Picture::Surface{.positions = s.problem.target.positions, .triangles = s.problem.target.triangles});
     lattice.Add(Picture::Surface{.positions = s.result.vertices, .triangles = limit.triangles});
@@ -129,8 +146,54 @@ void WriteFitPicture(const std::filesystem::path& file, const FitSummary& s, con
         {&lattice, "limit of the control mesh"},
         {&error, "distance from the target",
          Picture::ColorBar{.low = 0, .high = high, .title = "percent of the diagonal"}}};
-    Picture::WritePng(file, Picture::RenderPanels(panels, {.azimuth = 20, .elevation = 14},
-                                                  {.width = 640, .height = 600}, {.columns = 3}, progress));
+    return Picture::EncodePng(Picture::RenderPanels(panels, {.azimuth = 20, .elevation = 14},
+                                                    {.width = 640, .height = 600}, {.columns = 3}, progress));
+}
+
+std::string FitPage(const FitSummary& s, const Io::Mesh& control, const Json& json, const std::string& text,
+                    const std::string& plot, const std::vector<std::uint8_t>& picture) {
+    const std::vector<double> percent = PercentOf(s);
+    const std::vector<Index> edges = Picture::ElementEdges(control.topology);
+    Picture::Report report{
+        .title = "fit of " + std::filesystem::path(json["target"]["file"].get<std::string>()).filename().string(),
+        .summary = text.substr(0, text.find('\n')) + ".",
+        .view = {.azimuth = 20, .elevation = 14}};
+    report.meshes.push_back({.name = "target",
+                             .positions = s.problem.target.positions,
+                             .triangles = s.problem.target.triangles,
+                             .is_shown = false});
+    report.meshes.push_back({.name = "limit",
+                             .positions = s.result.vertices,
+                             .triangles = LimitOf(s).triangles,
+                             .values = percent,
+                             .value_name = "distance from the target",
+                             .unit = "% of the diagonal",
+                             .low = 0,
+                             .high = HighestPercent(s)});
+    report.meshes.push_back(
+        {.name = "control mesh", .positions = control.positions, .lines = edges, .color = Picture::Palette::kLattice});
+    Picture::ReportSection distances{.title = "Distances"};
+    for (const char* way : {"surface_to_target", "target_to_surface"}) {
+        for (const char* what : {"rms", "p95", "p99", "max"}) {
+            const Json& d = json["fit"][way];
+            distances.rows.push_back(
+                {std::string(way == std::string("surface_to_target") ? "limit to target, " : "target to limit, ") +
+                     what,
+                 Text(d[what].get<double>()) + " (" + Text(d[std::string(what) + "_percent"].get<double>()) + " %)"});
+        }
+    }
+    distances.plots.push_back({"", plot});
+    report.sections.push_back(std::move(distances));
+    report.sections.push_back({.title = "Pictures", .pictures = {{"", picture}}});
+    for (const char* part : {"target", "settings", "control", "solid", "seconds"}) {
+        if (!json.contains(part)) continue;
+        Picture::ReportSection section{.title = part};
+        for (const auto& [name, value] : json[part].items()) {
+            section.rows.push_back({name, value.is_string() ? value.get<std::string>() : value.dump()});
+        }
+        report.sections.push_back(std::move(section));
+    }
+    return Picture::ReportPage(report);
 }
 #endif
 

@@ -16,6 +16,16 @@ namespace fs = std::filesystem;
 Outputs::~Outputs() {
     std::error_code ignored;
     for (const fs::path& folder : folders_) fs::remove_all(folder, ignored);
+    for (const fs::path& folder : made_) fs::remove(folder, ignored);  // only where it is empty
+}
+
+void Outputs::MakeFolder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+        throw IoError(folder.string() + ": is no folder; name one for the results");
+    }
+    if (fs::create_directory(folder, error)) made_.push_back(fs::absolute(folder));
+    if (error) throw IoError(folder.string() + ": can't be made: " + error.message());
 }
 
 fs::path Outputs::FolderBeside(const fs::path& file) {

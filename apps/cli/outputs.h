@@ -20,6 +20,10 @@ class Outputs {
     /// @throws UsageError where two outputs have one name, IoError where the file can't be made
     std::filesystem::path Stage(const std::filesystem::path& file);
 
+    /// Makes a folder for outputs where there is none; it goes again where nothing came into it.
+    /// @throws IoError where it can't be made
+    void MakeFolder(const std::filesystem::path& folder);
+
     /// Moves every staged file to its name, and what a format wrote beside it (.node and .ele). @throws IoError
     void Commit();
 
@@ -30,6 +34,7 @@ class Outputs {
     std::filesystem::path FolderBeside(const std::filesystem::path& file);
 
     std::vector<std::filesystem::path> files_;    // absolute, final
+    std::vector<std::filesystem::path> made_;     // folders that were not there
     std::vector<std::filesystem::path> folders_;  // hidden, each beside the files that it holds for the time being
 };
 

@@ -88,11 +88,13 @@ TEST_F(CliFit, OneThreadGivesTheSameBytesAgain) {
 }
 
 TEST_F(CliFit, OpenTargetsGetACageWithAWord) {
-    WriteText("open.obj",
-              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 .5\nv 2 1 .5\nv 0 2 0\nv 1 2 0\nv 2 2 1\n"
-              "f 1 2 3 4\nf 2 5 6 3\nf 4 3 8 7\nf 3 6 9 8\n");
-    const Outcome outcome = MustRun("fit open.obj -o out --control 8 --no-pictures");
-    EXPECT_THAT(outcome.err, HasSubstr("8 border edges"));
+    // Without the faces around one pole.
+    std::istringstream ball(Ball(16));
+    std::string open, line;
+    while (std::getline(ball, line)) open += line.starts_with("f 1 ") ? "" : line + "\n";
+    WriteText("open.obj", open);
+    const Outcome outcome = MustRun("fit open.obj -o out --control 60 --no-pictures");
+    EXPECT_THAT(outcome.err, HasSubstr("32 border edges"));
     EXPECT_TRUE(fs::exists(folder / "out/cage.obj"));
     EXPECT_THAT(ErrorOf("fit open.obj -o out2 --model solid --control 30"), HasSubstr("open"));
     EXPECT_FALSE(fs::exists(folder / "out2"));
@@ -124,6 +126,10 @@ TEST_F(CliFit, PicturesAreWritten) {
     MustRun("fit ball.obj -o out --model surface --control 40 --iterations 3");
     EXPECT_THAT(ReadText(folder / "out/fit.png"), testing::StartsWith("\x89PNG"));
     EXPECT_THAT(ReadText(folder / "out/convergence.svg"), HasSubstr("</svg>"));
+    const std::string page = ReadText(folder / "out/report.html");
+    for (const char* words : {"fit of ball.obj", "distance from the target", "limit to target, rms", "</html>"}) {
+        EXPECT_THAT(page, HasSubstr(words));
+    }
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Work AddFit(CLI::App& command) {
         "ways,\nfolded cells and times; pictures and report.html. docs/fitting.md explains how it works.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() +
         "\n\nExamples:\n"
-        "  solidsubdiv fit bunny.obj -o fitted\n"
+        "  solidsubdiv fit bunny.obj -o fitted --control 150 --levels 2\n"
         "  solidsubdiv fit bunny.obj -o cage --model surface --scheme loop --control 200 --json -\n"
         "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3");
     return [options](Session& session) { RunFit(*options, session); };

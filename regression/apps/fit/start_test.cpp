@@ -7,6 +7,7 @@
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "apps/fit/start_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
@@ -33,6 +34,7 @@ std::vector<Case> Cases() {
 
 TEST(SolidStart, IsPositiveAndHasTheTopologyOfItsTarget) {
     for (const Case& c : Cases()) {
+        if (kIsSanitized && c.options.n_control > 300) continue;
         StartReport report;
         const ControlMesh mesh = MakeSolidStart(c.target.View(), c.options, &report);
         const auto boundary = BoundaryOf(mesh);
@@ -50,6 +52,7 @@ TEST(SolidStart, IsPositiveAndHasTheTopologyOfItsTarget) {
 TEST(SolidStart, HasAboutAsManyControlPointsAsAskedFor) {
     const Surface bunny = Bunny();
     for (Index n : {100, 300, 500}) {
+        if (kIsSanitized && n > 100) break;
         const ControlMesh mesh = MakeSolidStart(bunny.View(), {.n_control = n});
         EXPECT_NEAR(mesh.n_vertices(), n, .15 * n);
         EXPECT_GT(LeastDeterminant(mesh), 0) << n;

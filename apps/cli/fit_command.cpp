@@ -87,6 +87,10 @@ class FitCommand {
             n_border += c.n_border_edges;
             euler += c.EulerCharacteristic();
         }
+        if (n_border == 0 && EnclosedVolume() < 0) {
+            for (std::size_t t = 0; t < triangles_.size(); t += 3) std::swap(triangles_[t + 1], triangles_[t + 2]);
+            session_.Note(options_.input + ": its faces look inwards; turned around");
+        }
         diagonal_ = Geometry::BoundingBox(points_).Diagonal();
         if (!(diagonal_ > 0)) throw InvalidInput(options_.input + ": is a single point; there is nothing to fit to");
         is_solid_ = options_.model.empty() ? n_border == 0 : options_.model == "solid";
@@ -101,6 +105,22 @@ class FitCommand {
                            {"border_edges", n_border},
                            {"euler_characteristic", euler},
                            {"diagonal", diagonal_}};
+    }
+
+    /// Of a closed surface, six times; negative where faces look inwards.
+    double EnclosedVolume() const {
+        double volume = 0;
+        const auto at = [&](std::size_t i, std::size_t c) {
+            return points_[3 * static_cast<std::size_t>(triangles_[i]) + c] -
+                   points_[3 * static_cast<std::size_t>(triangles_[0]) + c];
+        };
+        for (std::size_t t = 0; t < triangles_.size(); t += 3) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
+                volume += at(t, c) * (at(t + 1, d) * at(t + 2, e) - at(t + 1, e) * at(t + 2, d));
+            }
+        }
+        return volume;
     }
 
     Fit::TargetSurface Target() const { return {.positions = points_, .triangles = triangles_}; }

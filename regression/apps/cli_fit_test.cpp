@@ -100,6 +100,29 @@ TEST_F(CliFit, OpenTargetsGetACageWithAWord) {
     EXPECT_FALSE(fs::exists(folder / "out2"));
 }
 
+TEST_F(CliFit, TargetsThatLookInwardsAreTurned_OpenOnesLookWhereTheyLook) {
+    std::istringstream ball(Ball(8));
+    std::string turned, line;
+    while (std::getline(ball, line)) {
+        if (!line.starts_with("f ")) {
+            turned += line + "\n";
+            continue;
+        }
+        std::istringstream words(line.substr(2));
+        std::string face, word;
+        while (words >> word) face = " " + word + face;
+        turned += "f" + face + "\n";
+    }
+    WriteText("turned.obj", turned);
+    const Outcome outcome = MustRun("fit turned.obj -o out --model surface --control 40 --no-pictures");
+    EXPECT_THAT(outcome.err, HasSubstr("look inwards"));
+    // Four quads that rise from the origin: with it they enclose less than nothing.
+    WriteText("open.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 .5\nv 2 1 .5\nv 0 2 0\nv 1 2 0\nv 2 2 1\n"
+              "f 1 2 3 4\nf 2 5 6 3\nf 4 3 8 7\nf 3 6 9 8\n");
+    MustRun("fit open.obj -o out --control 8 --no-pictures");
+}
+
 TEST_F(CliFit, BadTargetsAndOptionsAreNamedAndLeaveNothing) {
     WriteText("points.obj", "v 0 0 0\nv 1 0 0\n");
     WriteText("nan.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -70,12 +70,14 @@ TargetShape::TargetShape(const TargetSurface& target) : triangles(target.triangl
     if (!(scale > 0)) throw InvalidInput("the points of the target are all at one place");
     const auto n_used = static_cast<Index>(positions.size() / 3);
     for (Index v = 0; v < n_used; ++v) SetPoint(positions, v, 1 / scale * (PointAt(positions, v) - middle));
+    components = Geometry::SurfaceComponents(triangles, n_used);
+    // What is open encloses nothing: it looks where it looks.
     double largest = 0;
     for (double volume : VolumesOf(positions, triangles)) {
         if (std::abs(volume) > std::abs(largest)) largest = volume;
     }
-    for (std::size_t t = 0; largest < 0 && t < triangles.size(); t += 3) std::swap(triangles[t + 1], triangles[t + 2]);
-    components = Geometry::SurfaceComponents(triangles, n_used);
+    if (largest >= 0 || CountBorderEdges() > 0) return;
+    for (std::size_t t = 0; t < triangles.size(); t += 3) std::swap(triangles[t + 1], triangles[t + 2]);
 }
 
 Offset TargetShape::CountBorderEdges() const {

@@ -87,7 +87,7 @@ class FitCommand {
             n_border += c.n_border_edges;
             euler += c.EulerCharacteristic();
         }
-        if (n_border == 0 && EnclosedVolume() < 0) {
+        if (About(options_.input, [&] { return Fit::LooksInwards(Target()); })) {
             for (std::size_t t = 0; t < triangles_.size(); t += 3) std::swap(triangles_[t + 1], triangles_[t + 2]);
             session_.Note(options_.input + ": its faces look inwards; turned around");
         }
@@ -105,22 +105,6 @@ class FitCommand {
                            {"border_edges", n_border},
                            {"euler_characteristic", euler},
                            {"diagonal", diagonal_}};
-    }
-
-    /// Of a closed surface, six times; negative where faces look inwards.
-    double EnclosedVolume() const {
-        double volume = 0;
-        const auto at = [&](std::size_t i, std::size_t c) {
-            return points_[3 * static_cast<std::size_t>(triangles_[i]) + c] -
-                   points_[3 * static_cast<std::size_t>(triangles_[0]) + c];
-        };
-        for (std::size_t t = 0; t < triangles_.size(); t += 3) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
-                volume += at(t, c) * (at(t + 1, d) * at(t + 2, e) - at(t + 1, e) * at(t + 2, d));
-            }
-        }
-        return volume;
     }
 
     Fit::TargetSurface Target() const { return {.positions = points_, .triangles = triangles_}; }
@@ -206,14 +190,18 @@ class FitCommand {
         AddOutput(vtu);
     }
 
-    void WriteSolid() {
-        session_.Stage("refine");
+    RefinementSettings SettingsAt(int levels, bool limit) const {
         RefinementSettings settings;
         settings.choice = *choice_;
         settings.split = mesh_.hexes.empty() ? Sdc::Split::TetOct : Sdc::Split::Polyhedral;
-        settings.levels = options_.levels;
-        settings.limit = true;
-        const Refinement refinement(MeshOf(mesh_), settings, session_);
+        settings.levels = levels;
+        settings.limit = limit;
+        return settings;
+    }
+
+    void WriteSolid() {
+        session_.Stage("refine");
+        const Refinement refinement(MeshOf(mesh_), SettingsAt(options_.levels, true), session_);
         const Staged& solid = StagedFile("solid.vtu");
         Io::WriteMesh(solid.written, refinement.result());
         AddOutput(solid);
@@ -231,11 +219,7 @@ class FitCommand {
     /// The control mesh as it is seen: of a solid its boundary.
     Io::Mesh ControlSurface() {
         if (!is_solid_) return MeshOf(mesh_);
-        RefinementSettings settings;
-        settings.choice = *choice_;
-        settings.split = mesh_.hexes.empty() ? Sdc::Split::TetOct : Sdc::Split::Polyhedral;
-        settings.levels = 0;
-        return Refinement(MeshOf(mesh_), settings, session_).Boundary();
+        return Refinement(MeshOf(mesh_), SettingsAt(0, false), session_).Boundary();
     }
 
     void WriteReport() {

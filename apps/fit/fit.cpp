@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include <solidsubdiv/apps/fit/internal/cell_volumes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
 #include <solidsubdiv/apps/fit/internal/step.h>
@@ -43,27 +44,15 @@ Frame FrameOf(std::span<const double> positions) {
     return frame;
 }
 
-double VolumeOf(const std::array<Index, 4>& corner, std::span<const double> control) {
-    std::array<std::array<double, 3>, 3> e{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            e[k][c] = control[3 * static_cast<std::size_t>(corner[k + 1]) + c] -
-                      control[3 * static_cast<std::size_t>(corner[0]) + c];
-        }
-    }
-    return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-           e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
-}
-
 int CountFolded(std::span<const std::array<Index, 4>> corners, std::span<const double> control) {
     return static_cast<int>(std::count_if(corners.begin(), corners.end(),
-                                          [&](const auto& corner) { return !(VolumeOf(corner, control) > 0); }));
+                                          [&](const auto& corner) { return !(CornerVolume(corner, control) > 0); }));
 }
 
 /// Where the barrier begins. Corners that are folded at the start are to become as large as the middle one.
 std::vector<double> LeastVolumes(const Problem& problem, double flat) {
     std::vector<double> volumes;
-    for (const auto& corner : problem.corners) volumes.push_back(VolumeOf(corner, problem.control));
+    for (const auto& corner : problem.corners) volumes.push_back(CornerVolume(corner, problem.control));
     if (volumes.empty()) return volumes;
     std::vector<double> sorted = volumes;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);

@@ -8,8 +8,8 @@
 
 #include <solidsubdiv/apps/deform/embedding.h>
 #include <solidsubdiv/apps/fit/fit.h>
+#include <solidsubdiv/apps/fit/internal/cell_volumes.h>
 #include <solidsubdiv/kit/geometry/tessellation.h>
-#include <solidsubdiv/sdc/cells.h>
 #include <solidsubdiv/sdc/errors.h>
 
 namespace SolidSubdiv::Fit {
@@ -51,21 +51,6 @@ std::vector<std::vector<Index>> NeighborsOf(const ControlMesh& mesh) {
     return neighbors;
 }
 
-std::vector<std::array<Index, 4>> CornersOf(const ControlMesh& mesh) {
-    std::vector<std::array<Index, 4>> corners;
-    ForElements(mesh.tets, 4, [&](std::span<const Index> v) { corners.push_back({v[0], v[1], v[2], v[3]}); });
-    ForElements(mesh.octs, 6, [&](std::span<const Index> v) {
-        for (const auto& tet : Sdc::Oct::tets) corners.push_back({v[tet[0]], v[tet[1]], v[tet[2]], v[tet[3]]});
-    });
-    // Neighbours of each corner in VTK's order, as three edges of a right-handed frame.
-    constexpr std::size_t kFrames[8][4] = {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
-                                           {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}};
-    ForElements(mesh.hexes, 8, [&](std::span<const Index> v) {
-        for (const auto& f : kFrames) corners.push_back({v[f[0]], v[f[1]], v[f[2]], v[f[3]]});
-    });
-    return corners;
-}
-
 }  // namespace
 
 std::vector<double> MovingSurface::Positions(std::span<const double> control) const {
@@ -97,7 +82,7 @@ Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const Ta
                     .target = target,
                     .control = mesh.positions,
                     .neighbors = NeighborsOf(mesh),
-                    .corners = CornersOf(mesh)};
+                    .corners = Internal::CellCornersOf(mesh)};
     if (fine_rate > 0 && fine_rate != rate) problem.fine = surface_at(fine_rate);
     return problem;
 }
@@ -117,7 +102,7 @@ Problem MakeLatticeProblem(const ControlMesh& lattice, const Sdc::Scheme& scheme
             .target = target,
             .control = lattice.positions,
             .neighbors = NeighborsOf(lattice),
-            .corners = CornersOf(lattice)};
+            .corners = Internal::CellCornersOf(lattice)};
 }
 
 void Problem::Validate() const {

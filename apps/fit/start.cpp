@@ -127,6 +127,8 @@ void StartOptions::Validate() const {
     }
 }
 
+bool LooksInwards(const TargetSurface& target) { return TargetShape(target).was_turned; }
+
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
     options.Validate();
     const TargetShape shape(target);

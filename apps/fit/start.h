@@ -47,6 +47,10 @@ struct StartReport {
     Offset n_folded = 0;       ///< hexahedra that are folded inside although their corners are not; 0 as a rule
 };
 
+/// Whether a target is closed and its largest component encloses less than nothing. Starts turn such targets around for
+/// themselves; nearest points of a fit need them turned. @throws InvalidInput as MakeSolidStart, but for open surfaces
+bool LooksInwards(const TargetSurface& target);
+
 /// A lattice around a closed surface, or around points. Every corner of every hexahedron, every tet and octahedron is
 /// positive; the boundary is a closed manifold. Around points alone it is an ellipsoid of their box.
 /// Deterministic, for any number of threads. Cost: some seconds at most for a few thousand control points.

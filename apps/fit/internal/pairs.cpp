@@ -11,28 +11,22 @@ namespace SolidSubdiv::Fit::Internal {
 
 namespace {
 
-using Vec = std::array<double, 3>;
-
-Vec At(std::span<const double> positions, Index v) {
-    const double* p = &positions[3 * static_cast<std::size_t>(v)];
-    return {p[0], p[1], p[2]};
-}
-Vec Minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double Dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3 AsVec3(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
 /// Twice the area, along the normal.
-Vec AreaNormal(std::span<const double> positions, const Index* t) {
-    const Vec a = At(positions, t[0]), b = Minus(At(positions, t[1]), a), c = Minus(At(positions, t[2]), a);
-    return {b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]};
+Vec3 AreaNormal(std::span<const double> positions, const Index* t) {
+    const Vec3 a = PointAt(positions, t[0]);
+    return Cross(PointAt(positions, t[1]) - a, PointAt(positions, t[2]) - a);
 }
 
 /// Normals of the vertices by area; not of length 1.
-std::vector<Vec> VertexNormals(std::span<const double> positions, std::span<const Index> triangles) {
-    std::vector<Vec> normals(positions.size() / 3);
+std::vector<Vec3> VertexNormals(std::span<const double> positions, std::span<const Index> triangles) {
+    std::vector<Vec3> normals(positions.size() / 3);
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        const Vec n = AreaNormal(positions, &triangles[t]);
+        const Vec3 n = AreaNormal(positions, &triangles[t]);
         for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t c = 0; c < 3; ++c) normals[static_cast<std::size_t>(triangles[t + k])][c] += n[c];
+            Vec3& sum = normals[static_cast<std::size_t>(triangles[t + k])];
+            sum = sum + n;
         }
     }
     return normals;
@@ -44,8 +38,7 @@ std::vector<double> VertexAreas(std::span<const double> positions, std::span<con
     std::vector<double> areas(n, triangles.empty() ? 1.0 : 0.0);
     double whole = triangles.empty() ? static_cast<double>(n) : 0;
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        const Vec normal = AreaNormal(positions, &triangles[t]);
-        const double area = std::sqrt(Dot(normal, normal));
+        const double area = Length(AreaNormal(positions, &triangles[t]));
         for (std::size_t k = 0; k < 3; ++k) areas[static_cast<std::size_t>(triangles[t + k])] += area;
         whole += 3 * area;
     }
@@ -88,17 +81,15 @@ PairFinder::PairFinder(const Problem& problem) : problem_(problem) {
     }
 }
 
-Vec PairFinder::TargetNormal(Index element) const {
+Vec3 PairFinder::TargetNormal(Index element) const {
     const TargetSurface& t = problem_.target;
-    Vec n{};
+    Vec3 n{};
     if (!t.triangles.empty()) {
         n = AreaNormal(t.positions, &t.triangles[3 * static_cast<std::size_t>(element)]);
     } else if (!t.normals.empty()) {
-        n = At(t.normals, element);
+        n = PointAt(t.normals, element);
     }
-    const double length = std::sqrt(Dot(n, n));
-    for (double& x : n) x = length > 0 ? x / length : 0;
-    return n;
+    return Unit(n);
 }
 
 bool PairFinder::IsBeyondBorder(const Geometry::ClosestPoint& at) const {
@@ -112,15 +103,15 @@ bool PairFinder::IsBeyondBorder(const Geometry::ClosestPoint& at) const {
 
 std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robust, Index& n_of_surface) const {
     const MovingSurface& surface = problem_.surface;
-    const std::vector<Vec> normals = VertexNormals(vertices, surface.triangles);
+    const std::vector<Vec3> normals = VertexNormals(vertices, surface.triangles);
     const std::vector<double> areas = VertexAreas(vertices, surface.triangles);
-    const auto look_away = [](const Vec& a, const Vec& b) { return Dot(a, b) < 0; };
+    const auto look_away = [](const Vec3& a, const Vec3& b) { return Dot(a, b) < 0; };
     std::vector<Pair> pairs;
     if (!problem_.partners.empty()) {
         for (Index v = 0; v < surface.rows.n_rows(); ++v) {
             const auto i = static_cast<std::size_t>(v);
-            const Vec partner = At(problem_.partners, v), d = Minus(partner, At(vertices, v));
-            pairs.push_back({{v, v, v}, {1, 0, 0}, partner, {}, std::sqrt(Dot(d, d)), areas[i]});
+            const Vec3 partner = PointAt(problem_.partners, v);
+            pairs.push_back({{v, v, v}, {1, 0, 0}, partner, {}, Length(partner - PointAt(vertices, v)), areas[i]});
         }
         n_of_surface = static_cast<Index>(pairs.size());
         return pairs;
@@ -129,28 +120,27 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
     for (Index v = 0; v < surface.rows.n_rows(); ++v) {
         const auto i = static_cast<std::size_t>(v);
         const Geometry::ClosestPoint& at = on_target[i];
-        const Vec n = TargetNormal(at.element);
+        const Vec3 n = TargetNormal(at.element);
         if (!(areas[i] > 0) || look_away(n, normals[i]) || IsBeyondBorder(at)) continue;
-        pairs.push_back({{v, v, v}, {1, 0, 0}, at.position, n, at.distance, areas[i]});
+        pairs.push_back({{v, v, v}, {1, 0, 0}, AsVec3(at.position), n, at.distance, areas[i]});
     }
     n_of_surface = static_cast<Index>(pairs.size());
     CountFarLess(pairs, robust);
 
     const Geometry::ClosestPoints moving(vertices, surface.triangles);
     const auto on_surface = moving.Find(problem_.target.positions);
-    const std::vector<Vec> target_normals = VertexNormals(problem_.target.positions, problem_.target.triangles);
+    const std::vector<Vec3> target_normals = VertexNormals(problem_.target.positions, problem_.target.triangles);
     for (std::size_t i = 0; i < on_surface.size(); ++i) {
         const Geometry::ClosestPoint& at = on_surface[i];
         if (!(point_areas_[i] > 0)) continue;
-        Vec n =
-            problem_.target.normals.empty() ? target_normals[i] : At(problem_.target.normals, static_cast<Index>(i));
-        const double length = std::sqrt(Dot(n, n));
-        for (double& x : n) x = length > 0 ? x / length : 0;
+        Vec3 n = problem_.target.normals.empty() ? target_normals[i]
+                                                 : PointAt(problem_.target.normals, static_cast<Index>(i));
+        n = Unit(n);
         const Index* const t = &surface.triangles[3 * static_cast<std::size_t>(at.element)];
         if (look_away(n, AreaNormal(vertices, t))) continue;
         pairs.push_back({{t[0], t[1], t[2]},
                          at.weights,
-                         At(problem_.target.positions, static_cast<Index>(i)),
+                         PointAt(problem_.target.positions, static_cast<Index>(i)),
                          n,
                          at.distance,
                          point_areas_[i]});

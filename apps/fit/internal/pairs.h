@@ -8,15 +8,16 @@
 #include <vector>
 
 #include <solidsubdiv/apps/fit/fit.h>
+#include <solidsubdiv/apps/fit/internal/vec3.h>
 #include <solidsubdiv/kit/geometry/closest_point.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
 struct Pair {
-    std::array<Index, 3> vertices;   ///< of the moving surface
-    std::array<double, 3> weights;   ///< of these
-    std::array<double, 3> partner;   ///< on the target
-    std::array<double, 3> normal{};  ///< of the target there; 0: all directions count alike
+    std::array<Index, 3> vertices;  ///< of the moving surface
+    std::array<double, 3> weights;  ///< of these
+    Vec3 partner;                   ///< on the target
+    Vec3 normal{};                  ///< of the target there; 0: all directions count alike
     double distance = 0;
     double weight = 0;  ///< of the square of its distance
 };
@@ -33,7 +34,7 @@ class PairFinder {
     std::vector<Pair> Find(std::span<const double> vertices, double robust, Index& n_of_surface) const;
 
   private:
-    std::array<double, 3> TargetNormal(Index element) const;
+    Vec3 TargetNormal(Index element) const;
     bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;
 
     const Problem& problem_;

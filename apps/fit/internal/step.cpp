@@ -29,9 +29,10 @@ LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double ac
         const auto row = surface.rows.Weights(pair.vertices[k]);
         for (std::size_t i = 0; i < indices.size(); ++i) weights[indices[i]] += pair.weights[k] * row[i];
     }
-    LinearBlock::Row row{.weights = {weights.begin(), weights.end()}, .goal = pair.partner};
-    const auto& n = pair.normal;
-    const bool has_normal = n[0] != 0 || n[1] != 0 || n[2] != 0;
+    LinearBlock::Row row{.weights = {weights.begin(), weights.end()},
+                         .goal = {pair.partner.x, pair.partner.y, pair.partner.z}};
+    const Vec3& n = pair.normal;
+    const bool has_normal = Dot(n, n) > 0;
     const double root = std::sqrt(has_normal ? across : 1.0);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {

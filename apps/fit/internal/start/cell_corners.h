@@ -9,9 +9,11 @@
 #include <vector>
 
 #include <solidsubdiv/apps/fit/control_mesh.h>
-#include <solidsubdiv/apps/fit/internal/start/vec3.h>
+#include <solidsubdiv/apps/fit/internal/vec3.h>
 
 namespace SolidSubdiv::Fit::Starting {
+
+using namespace Internal;
 
 /// A vertex of a cell and the ends of the three edges from it, seen counterclockwise from them.
 struct CellCorner {

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
-#include <solidsubdiv/apps/fit/internal/start/vec3.h>
+#include <solidsubdiv/apps/fit/internal/vec3.h>
 
 namespace SolidSubdiv::Fit::Starting {
+
+using namespace Internal;
 
 struct Decimated {
     std::vector<double> positions;  ///< (n, 3)

@@ -1,38 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles are split at the middles of their edges, found by the edges' ends.
+// An octahedron, refined and blown up level by level.
 #include <solidsubdiv/apps/fit/internal/start/ellipsoid.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
-#include <solidsubdiv/apps/fit/internal/start/vec3.h>
+#include <solidsubdiv/apps/fit/internal/vec3.h>
+#include <solidsubdiv/far/primvar_refiner.h>
 #include <solidsubdiv/kit/geometry/oriented_box.h>
 
 namespace SolidSubdiv::Fit::Starting {
 
+using namespace Internal;
+
 Ellipsoid MakeEllipsoid(std::span<const double> points, Index n_control) {
     Ellipsoid made;
     made.positions = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
-    made.triangles = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-    while (made.triangles.size() / 3 < std::max<std::size_t>(4096, 10 * static_cast<std::size_t>(n_control))) {
-        std::map<std::pair<Index, Index>, Index> middles;
-        const auto middle = [&](Index a, Index b) {
-            const auto [place, is_new] =
-                middles.emplace(std::minmax(a, b), static_cast<Index>(made.positions.size() / 3));
-            if (is_new) {
-                const Vec3 p = Unit(PointAt(made.positions, a) + PointAt(made.positions, b));
-                made.positions.insert(made.positions.end(), {p.x, p.y, p.z});
-            }
-            return place->second;
-        };
-        std::vector<Index> split;
-        for (std::size_t t = 0; t < made.triangles.size(); t += 3) {
-            const Index a = made.triangles[t], b = made.triangles[t + 1], c = made.triangles[t + 2];
-            const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            split.insert(split.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+    const std::vector<Index> octahedron = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    int n_levels = 0;
+    for (Offset n = 8; n < std::max<Offset>(4096, Offset{10} * n_control); n *= 4) ++n_levels;
+    auto refiner = Far::TopologyRefiner::Create({.n_vertices = 6, .triangles = octahedron}, Sdc::Split::TetOct);
+    refiner.RefineUniform({.max_level = n_levels});
+    const Far::PrimvarRefiner primvars(refiner, Sdc::LinearSurface{});
+    for (int l = 1; l <= n_levels; ++l) {
+        std::vector<double> finer(3 * static_cast<std::size_t>(refiner.n_vertices(l)));
+        primvars.Interpolate<double>(l, made.positions, finer, 3);
+        made.positions = std::move(finer);
+        for (Index v = 0; v < refiner.n_vertices(l); ++v) {
+            SetPoint(made.positions, v, Unit(PointAt(made.positions, v)));
         }
-        made.triangles = std::move(split);
+    }
+    const auto& last = refiner.level(n_levels);
+    for (Index f = 0; f < last.n_boundary_faces; ++f) {
+        const auto v = last.BoundaryVertices(f);
+        made.triangles.insert(made.triangles.end(), v.begin(), v.end());
     }
     Geometry::OrientedBox box = Geometry::MakeBox(points, Geometry::BoxKind::Oriented);
     const auto middle = box.At({.5 * box.lengths[0], .5 * box.lengths[1], .5 * box.lengths[2]});

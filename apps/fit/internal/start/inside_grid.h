@@ -7,9 +7,11 @@
 #include <span>
 #include <vector>
 
-#include <solidsubdiv/apps/fit/internal/start/vec3.h>
+#include <solidsubdiv/apps/fit/internal/vec3.h>
 
 namespace SolidSubdiv::Fit::Starting {
+
+using namespace Internal;
 
 /// Voxels are counted as rays along x, y and z through their middles see them, two of three: what is wrong with a
 /// surface in one place misleads one of them.

@@ -76,8 +76,8 @@ TargetShape::TargetShape(const TargetSurface& target) : triangles(target.triangl
     for (double volume : VolumesOf(positions, triangles)) {
         if (std::abs(volume) > std::abs(largest)) largest = volume;
     }
-    if (largest >= 0 || CountBorderEdges() > 0) return;
-    for (std::size_t t = 0; t < triangles.size(); t += 3) std::swap(triangles[t + 1], triangles[t + 2]);
+    was_turned = largest < 0 && CountBorderEdges() == 0;
+    for (std::size_t t = 0; was_turned && t < triangles.size(); t += 3) std::swap(triangles[t + 1], triangles[t + 2]);
 }
 
 Offset TargetShape::CountBorderEdges() const {

@@ -14,6 +14,7 @@ namespace SolidSubdiv::Fit::Starting {
 struct TargetShape {
     std::vector<double> positions;  ///< that triangles have, the longest side of their box from -1/2 to 1/2
     std::vector<Index> triangles;   ///< turned around where it is closed, its largest component inside out
+    bool was_turned = false;
     Vec3 middle{};
     double scale = 1;                                      ///< a unit, in the target's units
     std::vector<Geometry::SurfaceComponent> components{};  ///< of the surface

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points and directions in space, as few operations as starts need.
+// Points and directions in space, as few operations as fitting needs.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <solidsubdiv/sdc/types.h>
 
-namespace SolidSubdiv::Fit::Starting {
+namespace SolidSubdiv::Fit::Internal {
 
 struct Vec3 {
     double x = 0, y = 0, z = 0;
@@ -38,4 +38,4 @@ inline void SetPoint(std::vector<double>& positions, Index i, const Vec3& p) {
     to[0] = p.x, to[1] = p.y, to[2] = p.z;
 }
 
-}  // namespace SolidSubdiv::Fit::Starting
+}  // namespace SolidSubdiv::Fit::Internal

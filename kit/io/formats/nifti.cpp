@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads NIfTI-1 (.nii, .nii.gz, .hdr with .img): a header of 348 bytes, then numbers.
 //
-// Our own reader rather than niftiio: what volumes need of the header is a dozen fields, zlib is here anyway, niftiio
-// prints its errors and trusts sizes that files claim, and its package for Debian stops CMake. So files that a fuzzer
-// made can be read, on bytes in memory, and errors name what is wrong.
+// Our own reader rather than niftiio: what volumes need of the header is a dozen fields, zlib is here anyway, and so it
+// is fuzzed like the others.
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -121,7 +121,8 @@ StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, 
     Builder builder(control);
     AddPairs(settings, pairs, builder);
     if (fairness > 0) AddFairness(settings, fairness, builder);
-    if (settings.barrier > 0) AddBarrier(settings, builder);
+    const bool has_barrier = settings.barrier > 0 && !settings.problem.corners.empty();
+    if (has_barrier) AddBarrier(settings, builder);
     for (Index p : settings.problem.locked) builder.Lock(p);
 
     ceres::Solver::Options options;
@@ -129,9 +130,10 @@ StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, 
     constexpr std::size_t kMostOfDirect = 3 * 400;
     options.linear_solver_type = control.size() <= kMostOfDirect ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
     options.preconditioner_type = ceres::JACOBI;
-    options.max_num_iterations = 12;
+    options.max_num_iterations = 40;  // where the barrier bends, a dozen are lost to steps that go too far
     options.function_tolerance = 1e-5;
-    options.initial_trust_region_radius = 1e10;  // all but the barrier is linear: the first step is the answer
+    // Without the barrier all is linear, and the first step is the answer.
+    options.initial_trust_region_radius = has_barrier ? 1e4 : 1e10;
     const int n_processors = static_cast<int>(std::thread::hardware_concurrency());
     options.num_threads = std::min(Sdc::ThreadCount(), std::max(1, n_processors));  // Ceres warns of more
     options.logging_type = ceres::SILENT;

@@ -132,8 +132,9 @@ int main(int argc, char** argv) {
     context.scripts = std::filesystem::path(SOLIDSUBDIV_SOURCE) / "validation";
     std::error_code ignored;
     context.programs = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-    context.scratch = std::filesystem::temp_directory_path() / ("solidsubdiv-validate-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(context.scratch);
+    std::string scratch = (std::filesystem::temp_directory_path() / "solidsubdiv-validate-XXXXXX").string();
+    if (!::mkdtemp(scratch.data())) return Fail(1, scratch + ": can't be made");
+    context.scratch = scratch;
 
     std::optional<SolidSubdiv::Sdc::ThreadLimit> limit;
     if (arguments.threads > 0) limit.emplace(arguments.threads);

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <system_error>
 
 #include <solidsubdiv/apps/cli/common.h>
@@ -29,17 +31,22 @@ void Outputs::MakeFolder(const fs::path& folder) {
 }
 
 fs::path Outputs::FolderBeside(const fs::path& file) {
-    const fs::path folder = file.parent_path() / (".solidsubdiv-" + std::to_string(getpid()));
-    if (std::find(folders_.begin(), folders_.end(), folder) != folders_.end()) return folder;
+    const auto known = std::find_if(folders_.begin(), folders_.end(),
+                                    [&](const fs::path& folder) { return folder.parent_path() == file.parent_path(); });
+    if (known != folders_.end()) return *known;
     std::error_code error;
     const fs::path parent = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::is_directory(parent, error)) {
         throw IoError(file.string() + ": can't be written: there is no folder " + parent.string() + "; create it");
     }
-    fs::create_directory(folder, error);
-    if (error) throw IoError(file.string() + ": can't be written: " + error.message());
+    // No name of our choice is surely free: numbers of processes repeat, in time and in containers.
+    std::string folder = (file.parent_path() / ".solidsubdiv-XXXXXX").string();
+    if (!mkdtemp(folder.data())) {
+        error.assign(errno, std::generic_category());
+        throw IoError(file.string() + ": can't be written: " + error.message());
+    }
     folders_.push_back(folder);
-    return folder;
+    return folders_.back();
 }
 
 fs::path Outputs::Stage(const fs::path& file) {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <solidsubdiv/kit/io/formats.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +17,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::CliTesting {
 
@@ -31,17 +32,7 @@ struct Outcome {
 /// An empty folder for one test, gone afterwards. Commands run in it.
 class CliTest : public testing::Test {
   protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(info->test_suite_name()) + "_" + info->name();
-        std::replace(name.begin(), name.end(), '/', '_');
-        top_ = fs::path(testing::TempDir()) / ("solidsubdiv_" + name + "_" + std::to_string(getpid()));
-        fs::remove_all(top_);
-        folder = top_ / "work";
-        fs::create_directories(folder);
-    }
-    void TearDown() override { fs::remove_all(top_); }
-
+    void SetUp() override { fs::create_directories(folder); }
     static std::string Program() { return std::string(SOLIDSUBDIV_PROGRAMS) + "/solidsubdiv"; }
 
     /// Runs the program with arguments as a shell would see them.
@@ -99,10 +90,11 @@ class CliTest : public testing::Test {
         return names;
     }
 
-    fs::path folder;
-
   private:
-    fs::path top_;
+    const TemporaryFolder top_;
+
+  public:
+    const fs::path folder = top_ / "work";
 };
 
 /// A mesh of tets over given positions.

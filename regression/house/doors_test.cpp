@@ -2,12 +2,12 @@
 // The doors of the house: which room and which third-party library a room may include. See docs/architecture.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <map>
 #include <set>
 
 #include "house/source_tree.h"
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::House {
 namespace {
@@ -133,9 +133,7 @@ TEST(Doors, RoomsIncludeOnlyWhatThePlanAllows) {
 }
 
 TEST(Doors, PlantedTrespassesAreCaught) {
-    const std::filesystem::path top =
-        std::filesystem::path(testing::TempDir()) / ("solidsubdiv_doors_test_" + std::to_string(getpid()));
-    std::filesystem::remove_all(top);
+    const TemporaryFolder top;
     const auto write = [&](const std::string& path, const std::string& text) {
         std::filesystem::create_directories((top / path).parent_path());
         std::ofstream(top / path) << text;
@@ -153,7 +151,7 @@ TEST(Doors, PlantedTrespassesAreCaught) {
     write("kit/attic/new.h", "");
     write("validation/spline_oracle.cpp", "#include \"meshes.h\"\n");
     write("validation/meshes.h", "#include <vector>\n#include <solidsubdiv/sdc/schemes.h>\n");
-    EXPECT_THAT(Trespasses(ReadSourceTree(top)),
+    EXPECT_THAT(Trespasses(ReadSourceTree(top.Path())),
                 testing::UnorderedElementsAre(
                     "far/up.h includes solidsubdiv/osd/evaluator.h: no door from far to osd",
                     "vtr/loop.cpp includes tbb/parallel_for.h: not a library of vtr",
@@ -164,7 +162,6 @@ TEST(Doors, PlantedTrespassesAreCaught) {
                     "kit/geometry/peek.cpp includes solidsubdiv/far/internal/private.h: internal to far",
                     "kit/attic/new.h: in no room of the plan",
                     "validation/spline_oracle.cpp knows solidsubdiv/sdc/schemes.h: an oracle must not know our rooms"));
-    std::filesystem::remove_all(top);
 }
 
 }  // namespace

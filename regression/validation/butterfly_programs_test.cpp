@@ -2,12 +2,12 @@
 // The butterfly oracle, OpenMesh and VTK agree on closed surfaces of every valence; faults planted in one are caught.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
 #include <set>
 
+#include "temporary_folder.h"
 #include "validation/butterfly_oracle.h"
 #include "validation/open_mesh_oracle.h"
 #include "validation/or_skip.h"
@@ -43,13 +43,9 @@ std::vector<SurfaceLevel> ByOracle(const ControlSurface& surface, double tension
 }
 
 std::vector<VtkRefinement> ByVtk(const std::vector<ControlSurface>& surfaces, int max_level = kLevels) {
-    const auto scratch =
-        std::filesystem::path(testing::TempDir()) / ("solidsubdiv_butterfly_programs_" + std::to_string(getpid()));
-    std::filesystem::create_directories(scratch);
+    const TemporaryFolder scratch;
     const std::filesystem::path source = SOLIDSUBDIV_SOURCE;
-    auto result = RefineByVtk(source / "validation" / "vtk_butterfly.py", scratch, surfaces, max_level);
-    std::filesystem::remove_all(scratch);
-    return result;
+    return RefineByVtk(source / "validation" / "vtk_butterfly.py", scratch.Path(), surfaces, max_level);
 }
 
 TEST(ButterflyPrograms, ClosedSurfacesHaveEveryValence) {

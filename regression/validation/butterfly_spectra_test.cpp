@@ -2,12 +2,12 @@
 // Smoothness at vertices of every valence: the subdivision matrices of the butterfly oracle, inside and at boundaries,
 // and those of OpenMesh and VTK there, whose figures docs/butterfly-boundaries.md quotes.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "temporary_folder.h"
 #include "validation/butterfly_oracle.h"
 #include "validation/cone_surfaces.h"
 #include "validation/findings.h"
@@ -212,9 +212,7 @@ TEST_F(ButterflySpectra, WithoutMasksBoundaryVerticesAreNotSmooth) {
 TEST_F(ButterflySpectra, VtkIsNotSmoothAtBoundaries) {
     const double quoted[] = {0.3639, 0.3549, 0.4101, 0.3992, 0.4494, 0.4592, 0.4669};  // k = 2 to 8, beside 1/2
     const double off_plane[] = {0.125, 0.125, 0.1338, 0.1343, 0.1331, 0.1318, 0.1306};
-    const auto scratch =
-        std::filesystem::path(testing::TempDir()) / ("solidsubdiv_butterfly_spectra_" + std::to_string(getpid()));
-    std::filesystem::create_directories(scratch);
+    const TemporaryFolder scratch;
     std::vector<ControlSurface> all;
     for (int k = 2; k <= 8; ++k) {
         const Cone cone = MakeCone(k, false, kRings);
@@ -224,10 +222,9 @@ TEST_F(ButterflySpectra, VtkIsNotSmoothAtBoundaries) {
     std::vector<VtkRefinement> refined;
     OrSkip([&] {
         const std::filesystem::path source = SOLIDSUBDIV_SOURCE;
-        refined = RefineByVtk(source / "validation" / "vtk_butterfly.py", scratch, all, 1);
+        refined = RefineByVtk(source / "validation" / "vtk_butterfly.py", scratch.Path(), all, 1);
     });
     if (refined.empty()) return;
-    std::filesystem::remove_all(scratch);
     std::size_t next = 0;
     for (int k = 2; k <= 8; ++k) {
         const Cone cone = MakeCone(k, false, kRings);

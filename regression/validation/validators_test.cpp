@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <stdexcept>
 
 #include "sanitized.h"
+#include "temporary_folder.h"
 #include "validation/validators.h"
 
 namespace SolidSubdiv::Validation {
@@ -87,12 +87,6 @@ TEST(Validators, NamesAreUniqueAndEveryoneSaysWhatItChecksAndWhyItsTolerance) {
 
 class ValidateProgram : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("solidsubdiv validate " + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// Exit code; what it prints is in `output_`.
     int Call(const std::string& arguments) {
         const fs::path output = folder_ / "output.txt";
@@ -104,7 +98,7 @@ class ValidateProgram : public testing::Test {
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
     std::string output_;
 };
 
@@ -140,7 +134,7 @@ TEST_F(ValidateProgram, FailsIfAShapeHasAnotherNumberOfCells) {
 }
 
 TEST_F(ValidateProgram, FailsInOneLineIfItsShapesAreMissing) {
-    EXPECT_EQ(Call("--only counts --shapes '" + folder_.string() + "'"), 1);
+    EXPECT_EQ(Call("--only counts --shapes '" + folder_.Path().string() + "'"), 1);
     EXPECT_THAT(output_, testing::AllOf(testing::StartsWith("FAIL"), testing::HasSubstr("lattice_28.vtu")));
     EXPECT_EQ(Call("--shapes /no/such/folder"), 1);
     EXPECT_THAT(output_, testing::HasSubstr("there is no such folder"));

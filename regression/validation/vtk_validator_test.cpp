@@ -2,7 +2,6 @@
 // The validator that reads our files by VTK: what it expects is right by hand, and it catches faults planted in files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 
 #include <solidsubdiv/kit/io/formats.h>
 
+#include "temporary_folder.h"
 #include "validation/vtk_files.h"
 
 namespace SolidSubdiv::Validation {
@@ -33,12 +33,6 @@ Io::Mesh OctAndTet() {
 
 class VtkValidator : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(testing::TempDir()) / ("solidsubdiv vtk " + std::to_string(::getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     /// What VTK finds in a file of the mesh; skips the test where VTK is missing.
     GridSummary Read(const Io::Mesh& mesh, bool binary = false, bool keep_octahedra = true) {
         Io::WriteOptions options;
@@ -57,7 +51,7 @@ class VtkValidator : public testing::Test {
         }
     }
 
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
     Findings findings_;
 };
 

@@ -48,10 +48,13 @@ std::string ReadWholeFile(const fs::path& path) {
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
     if (fs::is_directory(path)) Fail(NameOf(path), "is a directory; name a file");
+    // Another process may have our number, in a container that shares the folder, or had it and was stopped.
     static std::atomic<int> counter = 0;
-    temporary_ =
-        path.parent_path() / (".solidsubdiv-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".part");
-    file_ = std::fopen(temporary_.c_str(), "wbx");
+    do {
+        temporary_ = path.parent_path() /
+                     (".solidsubdiv-" + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".part");
+        file_ = std::fopen(temporary_.c_str(), "wbx");
+    } while (!file_ && errno == EEXIST);
     if (!file_) Fail(NameOf(path_), "can't be written: " + SystemMessage(errno));
     buffer_.reserve(kBufferSize);
 }

@@ -4,23 +4,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
 
 #include "apps/deform/deform_testing.h"
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::Deform {
 namespace {
 
 class EmbeddingFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        path_ = std::filesystem::path(testing::TempDir()) / ("solidsubdiv_embedding_" + std::to_string(getpid()));
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     std::string Read() const {
         std::ifstream file(path_, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
@@ -37,7 +32,8 @@ class EmbeddingFiles : public testing::Test {
         return "no error";
     }
 
-    std::filesystem::path path_;
+    const TemporaryFolder folder_;
+    const std::filesystem::path path_ = folder_ / "embedding";
 };
 
 /// The bytes with a checksum that fits: as docs/embedding_file.md says.

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <solidsubdiv/sdc/errors.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "apps/voxel/voxel_testing.h"
 #include "sanitized.h"
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::Voxel {
 namespace {
@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 class DamagedFiles : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("solidsubdiv damaged " + std::to_string(::getpid()));
-        fs::create_directories(folder_);
         const Solid solid = SolidOf("mixed", Jittered(MixedCells(), 0.05, 2));
         const Grids grids = solid.Voxelize({.voxel_size = 0.25,
                                             .kind = Kind::Both,
@@ -38,7 +36,6 @@ class DamagedFiles : public testing::Test {
             good_.push_back(text.str());
         }
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     /// What is wrong with these bytes; nothing if they can be read.
     std::string ErrorOf(const std::string& bytes) const {
@@ -71,7 +68,7 @@ class DamagedFiles : public testing::Test {
         return places;
     }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
     std::vector<std::string> good_;  ///< with numbers of 32 bits, and of 16
 };
 

@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <solidsubdiv/sdc/errors.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "apps/voxel/voxel_testing.h"
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::Voxel {
 namespace {
@@ -19,12 +19,6 @@ namespace fs = std::filesystem;
 
 class VdbFiles : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("solidsubdiv vdb " + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     Grids AllKinds() const {
         return solid_.Voxelize({.voxel_size = 0.125,
                                 .kind = Kind::Both,
@@ -41,11 +35,8 @@ class VdbFiles : public testing::Test {
         }
         return "no error";
     }
-    std::size_t CountFiles() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
     Solid solid_ = SolidOf("mixed", Jittered(MixedCells(), 0.05, 2));
     std::vector<double> heights_ = [this] {
         std::vector<double> heights;
@@ -88,7 +79,7 @@ TEST_F(VdbFiles, WhatIsWrittenIsRead) {
     EXPECT_EQ(before[0].grid_class, "level set");
     EXPECT_EQ(before[1].grid_class, "fog volume");
     EXPECT_EQ(before[2].grid_class, "unknown");
-    EXPECT_EQ(CountFiles(), 1u);
+    EXPECT_EQ(folder_.Files().size(), 1u);
 }
 
 TEST_F(VdbFiles, HalfFloatsHaveElevenBitsAndTakeLessRoom) {
@@ -145,7 +136,7 @@ TEST_F(VdbFiles, WhatCantBeWrittenLeavesNothing) {
     EXPECT_THROW(grids.Write(folder_ / "missing" / "a.vdb"), IoError);
     EXPECT_THROW(grids.Write(folder_ / "file" / "a.vdb"), IoError);
     EXPECT_THROW(grids.Write(folder_ / "taken.vdb"), IoError);
-    EXPECT_EQ(CountFiles(), 2u);
+    EXPECT_EQ(folder_.Files().size(), 2u);
     try {
         grids.Write(folder_ / "missing" / "a.vdb");
     } catch (const IoError& error) {

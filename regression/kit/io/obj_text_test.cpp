@@ -5,10 +5,11 @@
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/kit/io/obj_text.h>
 #include <solidsubdiv/sdc/errors.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
+
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::Io {
 namespace {
@@ -18,12 +19,6 @@ using testing::HasSubstr;
 
 class ObjTexts : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = std::filesystem::path(testing::TempDir()) / ("solidsubdiv_obj_text_" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     std::filesystem::path Write(const std::string& text) const {
         std::ofstream(folder_ / "in.obj", std::ios::binary) << text;
         return folder_ / "in.obj";
@@ -34,7 +29,7 @@ class ObjTexts : public testing::Test {
         return text.str();
     }
 
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 TEST_F(ObjTexts, KeepWhatTheyDoNotKnow) {

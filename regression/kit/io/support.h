@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -19,30 +18,9 @@
 #include <solidsubdiv/kit/io/formats.h>
 #include <solidsubdiv/sdc/errors.h>
 
+#include "temporary_folder.h"
+
 namespace SolidSubdiv::Io {
-
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        static std::atomic<int> counter = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("solidsubdiv-io-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
-        std::filesystem::create_directories(path_);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-    std::vector<std::string> Files() const {
-        std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename());
-        return names;
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 inline void Save(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 #include <solidsubdiv/kit/picture/image.h>
 #include <solidsubdiv/sdc/errors.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
+
+#include "temporary_folder.h"
 
 namespace SolidSubdiv::Picture {
 namespace {
@@ -21,13 +21,7 @@ using testing::StartsWith;
 
 class PngTest : public testing::Test {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-    std::size_t FilesInFolder() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
-
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("solidsubdiv_png_test_" + std::to_string(getpid()));
+    const TemporaryFolder folder_;
 };
 
 Image Gradient(int width, int height) {
@@ -56,7 +50,7 @@ TEST_F(PngTest, WhatIsWrittenIsReadBackBitByBit) {
     const Image image = Gradient(201, 77);
     WritePng(folder_ / "a.png", image);
     EXPECT_EQ(ReadPng(folder_ / "a.png"), image);
-    EXPECT_EQ(FilesInFolder(), 1u);
+    EXPECT_EQ(folder_.Files().size(), 1u);
 }
 
 TEST_F(PngTest, FileIsAPngOfTheImagesSize) {
@@ -90,7 +84,7 @@ TEST_F(PngTest, BadPathsThrowIoErrorNamingTheFileAndLeaveNothing) {
     fs::create_directory(folder_ / "is_a_folder.png");
     EXPECT_THAT(ErrorOf([&] { WritePng(folder_ / "is_a_folder.png", image); }),
                 HasSubstr("is_a_folder.png: cannot be written"));
-    EXPECT_EQ(FilesInFolder(), 1u);
+    EXPECT_EQ(folder_.Files().size(), 1u);
 }
 
 TEST_F(PngTest, BrokenFilesAreRefused) {

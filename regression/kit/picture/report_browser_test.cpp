@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Report pages in a browser without a screen: the 3-D view draws, its buttons work, its faults are told.
 #include "kit/picture/report_testing.h"
+#include "temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -27,9 +27,7 @@ class ReportInBrowser : public testing::Test {
         if (std::system("command -v chromium >/dev/null") != 0) {
             GTEST_SKIP() << "there is no browser (Debian: chromium)";
         }
-        fs::create_directories(folder_);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     /// The page after its scripts ran: the attributes of its first element, or the whole of it.
     std::string Document(const std::string& page, const std::string& options = {}) const {
@@ -81,7 +79,7 @@ class ReportInBrowser : public testing::Test {
         return page.replace(at, from.size(), to);
     }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("solidsubdiv_report_" + std::to_string(getpid()));
+    const TemporaryFolder folder_;
     const ExampleShapes shapes_;
     const std::string page_ = ReportPage(ExampleReport(shapes_));
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <solidsubdiv/apps/fit/internal/cell_volumes.h>
+#include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
 #include <solidsubdiv/apps/fit/internal/step.h>
@@ -49,17 +50,15 @@ int CountFolded(std::span<const std::array<Index, 4>> corners, std::span<const d
                                           [&](const auto& corner) { return !(CornerVolume(corner, control) > 0); }));
 }
 
-/// Where the barrier begins. Corners that are folded at the start are to become as large as the middle one.
-std::vector<double> LeastVolumes(const Problem& problem, double flat) {
-    std::vector<double> volumes;
-    for (const auto& corner : problem.corners) volumes.push_back(CornerVolume(corner, problem.control));
-    if (volumes.empty()) return volumes;
-    std::vector<double> sorted = volumes;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double usual = *middle > 0 ? *middle : 1e-9;
-    for (double& v : volumes) v = flat * (v > 0 ? v : usual);
-    return volumes;
+/// Scaled Jacobians at which corners are well shaped enough: half of that of the start, so that affine maps that shear
+/// less are none of the barrier's business.
+std::vector<double> EnoughOf(const Problem& problem) {
+    constexpr double kPart = 0.5, kLeast = 0.05, kMost = 0.5;
+    std::vector<double> enough;
+    for (const auto& corner : problem.corners) {
+        enough.push_back(std::clamp(kPart * CornerQuality(corner, problem.control), kLeast, kMost));
+    }
+    return enough;
 }
 
 double RmsOf(std::span<const Pair> pairs) {
@@ -119,9 +118,9 @@ void Options::Validate() const {
     RequireRange("fairness", fairness, 0, 1e12);
     RequireRange("least_fairness", least_fairness, 0, 1e12);
     RequireRange("barrier", barrier, 0, 1e12);
-    RequireRange("flat", flat, 1e-6, 1);
     RequireRange("across", across, 0, 1);
     RequireRange("robust", robust, 0, 1e6);
+    RequireRange("points_per_control", points_per_control, 1, 1e6);
     RequireRange("tolerance", tolerance, 0, 1e75);
     RequireRange("least_change", least_change, 0, 1);
 }
@@ -139,13 +138,16 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
         (problem.mirror_offset - frame.middle[static_cast<std::size_t>(problem.mirror_axis)]) / frame.size;
 
     const Far::StencilRows<double> fair_rows = AffineRows(scaled.control, scaled.neighbors);
-    const std::vector<double> least_volumes = LeastVolumes(scaled, options.flat);
-    const PairFinder finder(scaled);
-    StepSettings settings{scaled, fair_rows, least_volumes, options.barrier, options.across};
+    const Offset most_points = static_cast<Offset>(problem.control.size() / 3) * options.points_per_control;
+    // On the way corners are kept as good as can be; in the end they only must not get flat.
+    const std::vector<double> enough = EnoughOf(scaled), best(enough.size(), 1.0);
+    const PairFinder finder(scaled, most_points);
+    StepSettings settings{scaled, fair_rows, best, options.barrier, options.across};
 
     Result result;
     std::vector<double>& control = scaled.control;
     double fairness = options.fairness, last_error = HUGE_VAL;
+    bool was_least_fair = false;
     result.stopped = "rounds";
     try {
         for (int i = 0; i < options.max_rounds; ++i) {
@@ -167,13 +169,15 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
             const bool is_least_fair = fairness <= options.least_fairness;
             if (options.tolerance > 0 && std::max(round.surface_rms, round.target_rms) <= options.tolerance) {
                 result.stopped = "tolerance";
-            } else if (is_least_fair && std::abs(last_error - error) <= options.least_change * error) {
+            } else if (was_least_fair && std::abs(last_error - error) <= options.least_change * error) {
                 if (settings.barrier > 0 && CountFolded(scaled.corners, control) > 0) {
                     settings.barrier *= 10;
                 } else {
                     result.stopped = "change";
                 }
             }
+            if (is_least_fair) settings.enough = enough;
+            was_least_fair = is_least_fair;
             if (result.stopped == "rounds") {
                 const StepReport report = SolveStep(settings, pairs, fairness, control);
                 Mirror(scaled, control);

@@ -17,10 +17,12 @@
 //         `robust` is given, count less (Geman and McClure's weights, found anew each round)
 //   + fairness * mean over control points of |p - sum of w_j p_j|^2, weights that reproduce the start's neighbourhood:
 //         it is 0 for all affine maps of the start
-//   + barrier * sum over corners of cells of max(0, 1 - volume / (flat * volume at the start))^2
-// Fairness begins high and is halved each round: large movements first, then details. A barrier that is high from the
-// start stops cells on their way; it is made ten times higher as long as corners are folded where rounds come to an
-// end.
+//   + barrier * sum over corners of cells of 1 / chi^2, chi the scaled Jacobian where that is well above 0, and
+//   smoothly
+//         less, never 0, where cells are flat or folded
+// Fairness begins high and is halved each round: large movements first, then details. The barrier is made ten times
+// higher as long as corners are folded where rounds come to an end. Without cells, or without a barrier, all is linear
+// least squares; with it Ceres' L-BFGS walks downhill.
 //
 // Source: distances along normals: chen1991modelling; subdivision surfaces fitted by nearest points and linear
 // least-squares in turns: hoppe1994piecewise.
@@ -89,12 +91,13 @@ struct Options {
     int max_rounds = 40;           ///< [1, 10000]
     double fairness = 1;           ///< >= 0, at the first round
     double least_fairness = 1e-4;  ///< >= 0
-    double barrier = 1e-7;         ///< >= 0
-    double flat = 0.1;             ///< (0, 1): part of a corner's volume at the start below which the barrier stands
+    double barrier = 1e-10;        ///< >= 0
     double across = 1e-3;          ///< [0, 1]: how much of a distance across the normal counts; 1: as much as along
     double robust = 0;             ///< >= 0: distances, in medians, at which points begin to count less; 0: never
-    double tolerance = 0;          ///< >= 0, unit of the positions: stop as soon as both RMS distances are below
-    double least_change = 1e-3;    ///< stop where a round changes the error by less than this part, fairness at least
+    int points_per_control =
+        24;                      ///< >= 1: of the target's points so many a control point are paired, if there are more
+    double tolerance = 0;        ///< >= 0, unit of the positions: stop as soon as both RMS distances are below
+    double least_change = 1e-3;  ///< stop where a round changes the error by less than this part, fairness at least
     Progress progress{};
 
     /// @throws InvalidInput
@@ -120,7 +123,7 @@ struct Result {
     std::string linear_solver;  ///< Ceres' name of it
 };
 
-/// The best so far where progress cancels. Same input, same bits with one thread; to round-off with any.
+/// The best so far where progress cancels. Same input, same bits, for any number of threads.
 /// @throws InvalidInput, SolverError
 Result FitControlPoints(const Problem& problem, const Options& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives by hand: of a row its weights, of a volume the cross products of its edges.
+// Derivatives of a row are its weights.
 #include <solidsubdiv/apps/fit/internal/blocks.h>
 
 #include <algorithm>
@@ -56,54 +56,6 @@ bool LinearBlock::Evaluate(double const* const* parameters, double* residuals, d
         if (jacobians[j] == nullptr) continue;
         for (std::size_t i = 0; i < goals_.size(); ++i) {
             for (std::size_t k = 0; k < 9; ++k) jacobians[j][9 * i + k] = weights_[i * width + j] * matrices_[i][k];
-        }
-    }
-    return true;
-}
-
-BarrierBlock::BarrierBlock(std::span<const Corner> corners, double factor) : factor_(factor) {
-    for (const Corner& corner : corners) {
-        control_points_.insert(control_points_.end(), corner.vertices.begin(), corner.vertices.end());
-    }
-    SortOnce(control_points_);
-    for (const Corner& corner : corners) {
-        std::array<std::size_t, 4> numbers{};
-        for (std::size_t k = 0; k < 4; ++k) numbers[k] = NumberOf(control_points_, corner.vertices[k]);
-        corners_.push_back(numbers);
-        least_.push_back(corner.least);
-    }
-    set_num_residuals(static_cast<int>(corners.size()));
-    mutable_parameter_block_sizes()->assign(control_points_.size(), 3);
-}
-
-bool BarrierBlock::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
-    if (jacobians != nullptr) {
-        for (std::size_t j = 0; j < control_points_.size(); ++j) {
-            if (jacobians[j] != nullptr) std::fill_n(jacobians[j], 3 * corners_.size(), 0.0);
-        }
-    }
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const auto& corner = corners_[i];
-        std::array<std::array<double, 3>, 3> e{};  // edges from the corner
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t c = 0; c < 3; ++c) e[k][c] = parameters[corner[k + 1]][c] - parameters[corner[0]][c];
-        }
-        const auto cross = [](const auto& a, const auto& b) {
-            return std::array<double, 3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                         a[0] * b[1] - a[1] * b[0]};
-        };
-        // The derivative of the volume by each edge.
-        const std::array<std::array<double, 3>, 3> by = {cross(e[1], e[2]), cross(e[2], e[0]), cross(e[0], e[1])};
-        const double volume = e[0][0] * by[0][0] + e[0][1] * by[0][1] + e[0][2] * by[0][2];
-        const double missing = 1 - volume / least_[i];
-        residuals[i] = missing > 0 ? factor_ * missing : 0;
-        if (jacobians == nullptr || !(missing > 0)) continue;
-        const double scale = -factor_ / least_[i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (jacobians[corner[k + 1]] != nullptr) jacobians[corner[k + 1]][3 * i + c] += scale * by[k][c];
-                if (jacobians[corner[0]] != nullptr) jacobians[corner[0]][3 * i + c] -= scale * by[k][c];
-            }
         }
     }
     return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residual blocks: what is linear in control points, and the barrier. The weights of rows are the derivatives.
+// Residual blocks of what is linear in control points. The weights of rows are the derivatives.
 #pragma once
 
 #include <array>
@@ -34,26 +34,6 @@ class LinearBlock final : public ceres::CostFunction {
     std::vector<double> weights_;  ///< (rows, control points)
     std::vector<std::array<double, 3>> goals_;
     std::vector<std::array<double, 9>> matrices_;
-};
-
-/// One number a corner: factor * max(0, 1 - volume / least), volume = (b - a) x (c - a) . (d - a).
-class BarrierBlock final : public ceres::CostFunction {
-  public:
-    struct Corner {
-        std::array<Index, 4> vertices;  ///< a, b, c, d
-        double least;                   ///< > 0
-    };
-    BarrierBlock(std::span<const Corner> corners, double factor);
-
-    const std::vector<Index>& control_points() const { return control_points_; }
-
-    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
-
-  private:
-    std::vector<Index> control_points_;
-    std::vector<std::array<std::size_t, 4>> corners_;  ///< numbers of parameter blocks
-    std::vector<double> least_;
-    double factor_;
 };
 
 }  // namespace SolidSubdiv::Fit::Internal

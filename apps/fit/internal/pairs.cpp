@@ -64,10 +64,10 @@ void CountFarLess(std::span<Pair> pairs, double robust) {
 
 }  // namespace
 
-PairFinder::PairFinder(const Problem& problem) : problem_(problem) {
+PairFinder::PairFinder(const Problem& problem, Offset most_points) : problem_(problem) {
     if (!problem.partners.empty()) return;
     target_.emplace(problem.target.positions, problem.target.triangles);
-    point_areas_ = VertexAreas(problem.target.positions, problem.target.triangles);
+    FindPoints(most_points);
     std::map<std::pair<Index, Index>, int> counts;
     const auto& triangles = problem.target.triangles;
     const auto key = [&](std::size_t t, std::size_t k) {
@@ -79,6 +79,26 @@ PairFinder::PairFinder(const Problem& problem) : problem_(problem) {
     for (std::size_t t = 0; t < triangles.size(); t += 3) {
         is_border_.push_back({counts[key(t, 0)] == 1, counts[key(t, 1)] == 1, counts[key(t, 2)] == 1});
     }
+}
+
+void PairFinder::FindPoints(Offset most_points) {
+    const TargetSurface& target = problem_.target;
+    const std::vector<double> areas = VertexAreas(target.positions, target.triangles);
+    const std::vector<Vec3> normals = VertexNormals(target.positions, target.triangles);
+    const Offset n = static_cast<Offset>(areas.size()), n_points = std::min(n, most_points);
+    double whole = 0;
+    for (Offset i = 0; i < n_points; ++i) {
+        const Index v = static_cast<Index>(i * n / n_points);
+        const double area = areas[static_cast<std::size_t>(v)];
+        if (!(area > 0)) continue;
+        const Vec3 p = PointAt(target.positions, v);
+        points_.positions.insert(points_.positions.end(), {p.x, p.y, p.z});
+        points_.normals.push_back(
+            Unit(target.normals.empty() ? normals[static_cast<std::size_t>(v)] : PointAt(target.normals, v)));
+        points_.areas.push_back(area);
+        whole += area;
+    }
+    for (double& area : points_.areas) area /= whole;
 }
 
 Vec3 PairFinder::TargetNormal(Index element) const {
@@ -128,22 +148,18 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
     CountFarLess(pairs, robust);
 
     const Geometry::ClosestPoints moving(vertices, surface.triangles);
-    const auto on_surface = moving.Find(problem_.target.positions);
-    const std::vector<Vec3> target_normals = VertexNormals(problem_.target.positions, problem_.target.triangles);
+    const auto on_surface = moving.Find(points_.positions);
     for (std::size_t i = 0; i < on_surface.size(); ++i) {
         const Geometry::ClosestPoint& at = on_surface[i];
-        if (!(point_areas_[i] > 0)) continue;
-        Vec3 n = problem_.target.normals.empty() ? target_normals[i]
-                                                 : PointAt(problem_.target.normals, static_cast<Index>(i));
-        n = Unit(n);
+        const Vec3& n = points_.normals[i];
         const Index* const t = &surface.triangles[3 * static_cast<std::size_t>(at.element)];
         if (look_away(n, AreaNormal(vertices, t))) continue;
         pairs.push_back({{t[0], t[1], t[2]},
                          at.weights,
-                         PointAt(problem_.target.positions, static_cast<Index>(i)),
+                         PointAt(points_.positions, static_cast<Index>(i)),
                          n,
                          at.distance,
-                         point_areas_[i]});
+                         points_.areas[i]});
     }
     CountFarLess(std::span(pairs).subspan(static_cast<std::size_t>(n_of_surface)), robust);
     return pairs;

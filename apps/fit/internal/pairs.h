@@ -25,8 +25,9 @@ struct Pair {
 /// A target with its nearest points.
 class PairFinder {
   public:
-    /// The problem must outlive this.
-    explicit PairFinder(const Problem& problem);
+    /// At most so many of the target's points are paired, spread evenly over their numbers. The problem must outlive
+    /// this.
+    PairFinder(const Problem& problem, Offset most_points);
 
     /// Pairs for the surface's vertices where they are now (n, 3): theirs first, then those of the target's points.
     /// Weights of each way sum to 1 but for what `robust` takes. Pairs whose surfaces look away from each other and
@@ -34,13 +35,20 @@ class PairFinder {
     std::vector<Pair> Find(std::span<const double> vertices, double robust, Index& n_of_surface) const;
 
   private:
+    void FindPoints(Offset most_points);
     Vec3 TargetNormal(Index element) const;
     bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;
 
     const Problem& problem_;
     std::optional<Geometry::ClosestPoints> target_;  ///< where there are no partners
-    std::vector<double> point_areas_;                ///< of the target's points, summing to 1
-    std::vector<std::array<bool, 3>> is_border_;     ///< of each triangle's edges, from its corners on
+    /// Those of the target's points that are paired, their normals (of length 1 or 0), and areas, which sum to 1.
+    struct Points {
+        std::vector<double> positions{};
+        std::vector<Vec3> normals{};
+        std::vector<double> areas{};
+    };
+    Points points_;
+    std::vector<std::array<bool, 3>> is_border_;  ///< of each triangle's edges, from its corners on
 };
 
 }  // namespace SolidSubdiv::Fit::Internal

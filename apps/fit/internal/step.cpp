@@ -6,41 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <thread>
 
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
-#include <solidsubdiv/apps/fit/internal/blocks.h>
+#include <solidsubdiv/apps/fit/internal/smooth_step.h>
 #include <solidsubdiv/sdc/errors.h>
-#include <solidsubdiv/sdc/parallel.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
 namespace {
 
 constexpr std::size_t kRowsOfBlock = 256;
-
-LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across) {
-    std::map<Index, double> weights;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (pair.weights[k] == 0) continue;
-        const auto indices = surface.rows.Indices(pair.vertices[k]);
-        const auto row = surface.rows.Weights(pair.vertices[k]);
-        for (std::size_t i = 0; i < indices.size(); ++i) weights[indices[i]] += pair.weights[k] * row[i];
-    }
-    LinearBlock::Row row{.weights = {weights.begin(), weights.end()},
-                         .goal = {pair.partner.x, pair.partner.y, pair.partner.z}};
-    const Vec3& n = pair.normal;
-    const bool has_normal = Dot(n, n) > 0;
-    const double root = std::sqrt(has_normal ? across : 1.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            row.matrix[3 * i + j] = std::sqrt(pair.weight) * ((i == j ? root : 0.0) + (1 - root) * n[i] * n[j]);
-        }
-    }
-    return row;
-}
 
 Index HeaviestOf(const LinearBlock::Row& row) {
     return std::max_element(row.weights.begin(), row.weights.end(),
@@ -89,40 +66,52 @@ void AddPairs(const StepSettings& settings, std::span<const Pair> pairs, Builder
 
 void AddFairness(const StepSettings& settings, double fairness, Builder& builder) {
     const auto& rows = settings.fair_rows;
-    const double root = std::sqrt(fairness / rows.n_rows());
     for (Index i = 0; i < rows.n_rows(); ++i) {
-        const auto indices = rows.Indices(i);
-        const auto weights = rows.Weights(i);
-        if (indices.empty()) continue;
-        LinearBlock::Row row{.weights = {{i, 1.0}}, .matrix = {root, 0, 0, 0, root, 0, 0, 0, root}};
-        for (std::size_t k = 0; k < indices.size(); ++k) row.weights.emplace_back(indices[k], -weights[k]);
-        builder.Add(new LinearBlock(std::span(&row, 1)));
-    }
-}
-
-void AddBarrier(const StepSettings& settings, Builder& builder) {
-    // Corners of a cell come together: eight of a hexahedron share its points.
-    constexpr std::size_t kCorners = 8;
-    const auto& corners = settings.problem.corners;
-    std::vector<BarrierBlock::Corner> some;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        some.push_back({corners[i], settings.least_volumes[i]});
-        if (some.size() == kCorners || i + 1 == corners.size()) {
-            builder.Add(new BarrierBlock(some, std::sqrt(settings.barrier)));
-            some.clear();
-        }
+        const LinearBlock::Row row = FairRowOf(rows, i, fairness);
+        if (!row.weights.empty()) builder.Add(new LinearBlock(std::span(&row, 1)));
     }
 }
 
 }  // namespace
 
+LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across) {
+    std::map<Index, double> weights;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (pair.weights[k] == 0) continue;
+        const auto indices = surface.rows.Indices(pair.vertices[k]);
+        const auto row = surface.rows.Weights(pair.vertices[k]);
+        for (std::size_t i = 0; i < indices.size(); ++i) weights[indices[i]] += pair.weights[k] * row[i];
+    }
+    LinearBlock::Row row{.weights = {weights.begin(), weights.end()},
+                         .goal = {pair.partner.x, pair.partner.y, pair.partner.z}};
+    const Vec3& n = pair.normal;
+    const bool has_normal = Dot(n, n) > 0;
+    const double root = std::sqrt(has_normal ? across : 1.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            row.matrix[3 * i + j] = std::sqrt(pair.weight) * ((i == j ? root : 0.0) + (1 - root) * n[i] * n[j]);
+        }
+    }
+    return row;
+}
+
+LinearBlock::Row FairRowOf(const Far::StencilRows<double>& fair_rows, Index point, double fairness) {
+    const auto indices = fair_rows.Indices(point);
+    const auto weights = fair_rows.Weights(point);
+    if (indices.empty()) return {};
+    const double root = std::sqrt(fairness / fair_rows.n_rows());
+    LinearBlock::Row row{.weights = {{point, 1.0}}, .matrix = {root, 0, 0, 0, root, 0, 0, 0, root}};
+    for (std::size_t k = 0; k < indices.size(); ++k) row.weights.emplace_back(indices[k], -weights[k]);
+    return row;
+}
+
 StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness,
                      std::span<double> control) {
+    if (settings.barrier > 0 && !settings.problem.corners.empty())
+        return SolveSmoothStep(settings, pairs, fairness, control);
     Builder builder(control);
     AddPairs(settings, pairs, builder);
     if (fairness > 0) AddFairness(settings, fairness, builder);
-    const bool has_barrier = settings.barrier > 0 && !settings.problem.corners.empty();
-    if (has_barrier) AddBarrier(settings, builder);
     for (Index p : settings.problem.locked) builder.Lock(p);
 
     ceres::Solver::Options options;
@@ -130,12 +119,11 @@ StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, 
     constexpr std::size_t kMostOfDirect = 3 * 400;
     options.linear_solver_type = control.size() <= kMostOfDirect ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
     options.preconditioner_type = ceres::JACOBI;
-    options.max_num_iterations = 40;  // where the barrier bends, a dozen are lost to steps that go too far
-    options.function_tolerance = 1e-5;
-    // Without the barrier all is linear, and the first step is the answer.
-    options.initial_trust_region_radius = has_barrier ? 1e4 : 1e10;
-    const int n_processors = static_cast<int>(std::thread::hardware_concurrency());
-    options.num_threads = std::min(Sdc::ThreadCount(), std::max(1, n_processors));  // Ceres warns of more
+    options.max_num_iterations = 40;
+    options.function_tolerance = 1e-6;
+    options.initial_trust_region_radius = 1e10;  // all is linear: the first step is the answer
+    // Ceres sums in the order in which its threads come. More of them are a fifth faster, and never twice the same.
+    options.num_threads = 1;
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &builder.problem(), &summary);

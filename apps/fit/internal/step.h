@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
 
 namespace SolidSubdiv::Fit::Internal {
@@ -14,7 +15,7 @@ namespace SolidSubdiv::Fit::Internal {
 struct StepSettings {
     const Problem& problem;
     const Far::StencilRows<double>& fair_rows;  ///< of internal/fairness.h
-    std::span<const double> least_volumes;      ///< of each corner
+    std::span<const double> enough;             ///< of each corner: the scaled Jacobian below which the barrier is
     double barrier = 0;
     double across = 0;
 };
@@ -23,6 +24,11 @@ struct StepReport {
     int steps = 0;
     std::string linear_solver{};
 };
+
+/// What a pair is in the sum of squares.
+LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across);
+/// Fairness at a control point; no weights where it has none.
+LinearBlock::Row FairRowOf(const Far::StencilRows<double>& fair_rows, Index point, double fairness);
 
 /// Moves `control` to where pairs and fairness are least. @throws SolverError
 StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness,

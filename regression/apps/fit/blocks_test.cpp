@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives of residual blocks against differences.
+// Derivatives of what is minimized against differences.
 #include <gtest/gtest.h>
 #include <solidsubdiv/apps/fit/internal/blocks.h>
+#include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
+#include <solidsubdiv/apps/fit/internal/normal_equations.h>
 
 #include <functional>
 
@@ -68,21 +70,104 @@ TEST(Blocks, DerivativesOfRowsAreDifferences) {
               1e-7);
 }
 
-TEST(Blocks, DerivativesOfTheBarrierAreDifferences) {
+/// The largest difference between a told slope and central differences, over the largest slope.
+double SlopeError(const std::function<double(std::span<const double>, std::span<double>)>& energy,
+                  std::vector<double> at, double step, double spoil = 0) {
+    std::vector<double> slope(at.size());
+    energy(at, slope);
+    *std::max_element(slope.begin(), slope.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) *=
+        1 + spoil;
+    double error = 0, largest = 1e-30;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const double middle = at[i];
+        at[i] = middle + step;
+        const double above = energy(at, {});
+        at[i] = middle - step;
+        const double below = energy(at, {});
+        at[i] = middle;
+        error = std::max(error, std::abs((above - below) / (2 * step) - slope[i]));
+        largest = std::max(largest, std::abs(slope[i]));
+    }
+    return error / largest;
+}
+
+TEST(CornerEnergy, ItsSlopeIsADifference_WhereCellsAreFoldedToo) {
+    // Any corners, well shaped, flat and folded ones.
     const std::vector<double> control = BulgedHexes(1).positions;
-    // Corners of one hexahedron in HexBlock's own numbering: any eight corners with volumes below and above `least`.
-    const std::vector<BarrierBlock::Corner> corners = {
-        {{0, 1, 2, 4}, 10}, {{1, 3, 0, 5}, 10}, {{2, 0, 3, 6}, 1e-3}, {{7, 6, 5, 3}, 5}};
-    const BarrierBlock block(corners, 0.7);
-    // Cubic along one coordinate at most linear: the differences of volumes are exact but for rounding.
-    EXPECT_LT(DerivativeError(block, block.control_points(), control), 1e-9);
-    EXPECT_GT(DerivativeError(block, block.control_points(), control, [](std::vector<double>& j) { j[0] *= 1 + 1e-6; }),
-              1e-8);
-    std::vector<double> residuals(corners.size());
-    std::vector<const double*> parameters;
-    for (Index p : block.control_points()) parameters.push_back(&control[3 * static_cast<std::size_t>(p)]);
-    block.Evaluate(parameters.data(), residuals.data(), nullptr);
-    EXPECT_GT(residuals[0], 0);
+    const std::vector<std::array<Index, 4>> corners = {{0, 1, 2, 4}, {1, 3, 0, 5}, {2, 0, 3, 6}, {7, 6, 5, 3}};
+    const std::vector<double> enough = {1, 0.9, 1, 1};
+    double least = 1, most = -1;
+    for (const auto& corner : corners) {
+        least = std::min(least, CornerQuality(corner, control));
+        most = std::max(most, CornerQuality(corner, control));
+    }
+    ASSERT_LT(least, -0.5);
+    ASSERT_GT(most, 0.5);
+    for (double softness : {0.05, 0.5}) {
+        const auto energy = [&](std::span<const double> at, std::span<double> slope) {
+            return 0.7 * CornerEnergy(corners, enough, at, softness, 0.7, slope);
+        };
+        // Differences err by the square of the step, over that of the softness, and by 1e-16 over the step.
+        EXPECT_LT(SlopeError(energy, control, 1e-6), 1e-7) << softness;
+        EXPECT_GT(SlopeError(energy, control, 1e-6, 1e-3), 1e-6) << softness;
+    }
+}
+
+TEST(CornerEnergy, IsNoneForACubeAndGrowsAsItFlattens) {
+    const std::vector<std::array<Index, 4>> corner = {{0, 1, 2, 3}};
+    const std::vector<double> enough = {0.99};
+    double last = -1;
+    for (double height : {1.0, 0.3, 0.1, 0.01, 0.0, -0.01, -0.1, -1.0}) {
+        const std::vector<double> at = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.1, 0, height};
+        const double energy = CornerEnergy(corner, enough, at, 0.05, 1, {});
+        if (height == 1.0) {
+            EXPECT_EQ(energy, 0);
+        }
+        EXPECT_GT(energy, last) << height;
+        last = energy;
+    }
+    EXPECT_TRUE(std::isfinite(CornerEnergy(corner, enough, std::vector<double>(12), 0.05, 1, {})));
+}
+
+TEST(NormalEquations, AreTheSumOfSquaresOfTheirRows) {
+    TestShapes::Random random(3);
+    std::vector<double> at(24), moved(24);
+    for (double& x : at) x = random.Uniform();
+    for (double& x : moved) x = 0.1 * random.Uniform();
+    NormalEquations form(at);
+    double sum = 0;
+    for (int i = 0; i < 20; ++i) {
+        LinearBlock::Row row;
+        for (Index p = 0; p < 4; ++p) row.weights.emplace_back((i + 3 * p) % 8, random.Uniform() - 0.3);
+        for (double& x : row.goal) x = random.Uniform();
+        for (std::size_t r = 0; r < 3; ++r) {
+            for (std::size_t c = r; c < 3; ++c) row.matrix[3 * r + c] = row.matrix[3 * c + r] = random.Uniform();
+        }
+        form.Add(row.weights, row.goal, row.matrix);
+        for (std::size_t r = 0; r < 3; ++r) {
+            double residual = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                double off = -row.goal[c];
+                for (const auto& w : row.weights) {
+                    const std::size_t k = 3 * static_cast<std::size_t>(w.first) + c;
+                    off += w.second * (at[k] + moved[k]);
+                }
+                residual += row.matrix[3 * r + c] * off;
+            }
+            sum += 0.5 * residual * residual;
+        }
+    }
+    EXPECT_NEAR(form.Evaluate(moved, {}), sum, 1e-13 * sum);
+    const auto energy = [&](std::span<const double> to, std::span<double> slope) { return form.Evaluate(to, slope); };
+    // Quadratic: differences are exact but for rounding, 1e-16 over the step.
+    EXPECT_LT(SlopeError(energy, moved, 1e-4), 1e-10);
+    EXPECT_GT(SlopeError(energy, moved, 1e-4, 1e-3), 1e-6);
+    // The slope at a place, less that at another one, along an axis of a point: its block with itself.
+    std::vector<double> a(24), b(24), x(24);
+    form.Evaluate(x, a);
+    x[3 * 5 + 1] = 1;
+    form.Evaluate(x, b);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(form.Diagonal(5)[3 * c + 1], b[15 + c] - a[15 + c], 1e-12);
 }
 
 TEST(AffineRows, VanishOnAffineMaps) {

@@ -11,6 +11,7 @@
 #include <solidsubdiv/apps/cli/fit_report.h>
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/refinement.h>
+#include <solidsubdiv/apps/fit/find_start.h>
 #include <solidsubdiv/apps/fit/start.h>
 #include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
@@ -123,7 +124,8 @@ class FitCommand {
                                     .quads = is_quad,
                                     .progress = session_.progress()};
         Fit::StartReport report;
-        mesh_ = is_solid_ ? Fit::MakeSolidStart(Target(), how, &report) : Fit::MakeCage(Target(), how, &report);
+        mesh_ = is_solid_ ? Fit::FindSolidStart(Target(), choice_->scheme, how, &report)
+                          : Fit::MakeCage(Target(), how, &report);
         if (!report.has_target_topology) {
             session_.Note(options_.input + ": the start has " + Counted(report.n_components, "piece", "pieces") +
                           " and Euler characteristic " + std::to_string(report.euler) + ", the target " +

@@ -38,8 +38,15 @@ Offset CountFolded(const ControlMesh& mesh) {
                          [](const auto& c) { return c.sign != Geometry::MinimumSign::Positive; });
 }
 
-ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const StartOptions& options,
-                           StartReport& report) {
+struct Candidate {
+    ControlMesh mesh;
+    StartReport report;
+    double distance = 0;  ///< between its boundary and the target
+};
+
+/// The best first. @param made what is known of the target
+std::vector<Candidate> MakeBlockStarts(const TargetShape& shape, BlockMeshKind kind, const StartOptions& options,
+                                       const StartReport& made) {
     Report(options.progress, "start: inside", 0);
     // Some ten voxels and more across a cube; prefix sums count with 32 bits.
     const int n_voxels = options.n_control <= 2000 ? 128 : 256;
@@ -52,30 +59,41 @@ ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const S
     const std::vector<double> points = grid.SurfacePoints(kSurfacePoints);
     const std::vector<Blocks> found =
         FindBlocks(grid, target, points, {options.n_control, count, topology}, kMostTried, options.progress);
-    std::vector<BlockMesh> made(found.size());
-    std::vector<StartReport> reports(found.size());
-    std::vector<double> distances(found.size());
+    std::vector<Candidate> candidates(found.size());
     Sdc::ParallelFor(static_cast<Offset>(found.size()), 1, [&](Offset begin, Offset end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            BlockMesh& m = made[i] = MakeBlockMesh(found[i], kind);
-            reports[i].least_quality = DrawToTarget(m.mesh, m.boundary, m.n_corners, {shape, target}, found[i].size());
-            reports[i].n_folded = CountFolded(m.mesh);
-            distances[i] = DistanceBetween(m.mesh.positions, m.boundary, m.n_corners, target, points);
+            Candidate& candidate = candidates[i];
+            BlockMesh m = MakeBlockMesh(found[i], kind);
+            StartReport& report = candidate.report = made;
+            report.least_quality = DrawToTarget(m.mesh, m.boundary, m.n_corners, {shape, target}, found[i].size());
+            report.n_folded = CountFolded(m.mesh);
+            const SolidTopology has = found[i].Topology();
+            report.n_components = has.n_solids + has.n_cavities;
+            report.euler = has.euler;
+            report.has_target_topology = has == topology;
+            candidate.distance = DistanceBetween(m.mesh.positions, m.boundary, m.n_corners, target, points);
+            candidate.mesh = std::move(m.mesh);
         }
     });
     std::size_t best = 0;
-    for (std::size_t i = 1; i < found.size(); ++i) {
-        const Offset fewer = reports[best].n_folded - reports[i].n_folded;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const Offset fewer = candidates[best].report.n_folded - candidates[i].report.n_folded;
         // As good but for rounding: the first. A target with symmetries has many.
-        if (fewer > 0 || (fewer == 0 && distances[i] < (1 - 1e-6) * distances[best])) best = i;
+        if (fewer > 0 || (fewer == 0 && candidates[i].distance < (1 - 1e-6) * candidates[best].distance)) best = i;
     }
-    report.least_quality = reports[best].least_quality;
-    report.n_folded = reports[best].n_folded;
-    const SolidTopology has = found[best].Topology();
-    report.n_components = has.n_solids + has.n_cavities;
-    report.euler = has.euler;
-    report.has_target_topology = has == topology;
-    return std::move(made[best].mesh);
+    std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(best),
+                candidates.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+    std::stable_sort(candidates.begin() + 1, candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return std::pair(a.report.n_folded, a.distance) < std::pair(b.report.n_folded, b.distance);
+    });
+    return candidates;
+}
+
+ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const StartOptions& options,
+                           StartReport& report) {
+    std::vector<Candidate> candidates = MakeBlockStarts(shape, kind, options, report);
+    report = candidates.front().report;
+    return std::move(candidates.front().mesh);
 }
 
 void RequireManifold(const TargetShape& shape) {
@@ -129,19 +147,37 @@ void StartOptions::Validate() const {
 
 bool LooksInwards(const TargetSurface& target) { return TargetShape(target).was_turned; }
 
-ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
+std::vector<ControlMesh> MakeSolidStarts(const TargetSurface& target, const StartOptions& options, int n_most,
+                                         std::vector<StartReport>* reports) {
     options.Validate();
+    if (n_most < 1) throw InvalidInput("n_most is " + std::to_string(n_most) + "; it must be at least 1");
     const TargetShape shape(target);
     if (shape.triangles.empty()) {
         const Ellipsoid around = MakeEllipsoid(target.positions, options.n_control);
-        return MakeSolidStart({.positions = around.positions, .triangles = around.triangles}, options, report);
+        return MakeSolidStarts({.positions = around.positions, .triangles = around.triangles}, options, n_most,
+                               reports);
     }
     RequireClosed(shape);
-    StartReport made = ReportOn(shape);
-    ControlMesh mesh = MakeBlockStart(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, made);
-    shape.Restore(mesh.positions);
-    if (report) *report = made;
-    return mesh;
+    std::vector<Candidate> candidates =
+        MakeBlockStarts(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, ReportOn(shape));
+    std::vector<ControlMesh> starts;
+    if (reports) reports->clear();
+    for (Candidate& candidate : candidates) {
+        if (static_cast<int>(starts.size()) == n_most) break;
+        shape.Restore(candidate.mesh.positions);
+        const auto is_same = [&](const ControlMesh& other) { return other.positions == candidate.mesh.positions; };
+        if (std::any_of(starts.begin(), starts.end(), is_same)) continue;
+        starts.push_back(std::move(candidate.mesh));
+        if (reports) reports->push_back(candidate.report);
+    }
+    return starts;
+}
+
+ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report) {
+    std::vector<StartReport> reports;
+    std::vector<ControlMesh> starts = MakeSolidStarts(target, options, 1, &reports);
+    if (report) *report = reports.front();
+    return std::move(starts.front());
 }
 
 ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, StartReport* report) {

@@ -58,6 +58,12 @@ bool LooksInwards(const TargetSurface& target);
 /// is not there, the surface is open or encloses nothing; Cancelled
 ControlMesh MakeSolidStart(const TargetSurface& target, const StartOptions& options, StartReport* report = nullptr);
 
+/// The starts that MakeSolidStart chooses from, the first of them its choice: at most n_most, none twice. Cubes do not
+/// tell which lattice can follow a shape without folding; a short fit of each does (Fit::FindSolidStart).
+/// @throws InvalidInput as MakeSolidStart, and where n_most < 1; Cancelled
+std::vector<ControlMesh> MakeSolidStarts(const TargetSurface& target, const StartOptions& options, int n_most,
+                                         std::vector<StartReport>* reports = nullptr);
+
 /// A cage around a surface, or around points. Triangles keep the components, handles and borders of the target, which
 /// must be a manifold; quadrilaterals are the boundary of a solid start. Positions are on the target, for triangles.
 /// @throws InvalidInput as MakeSolidStart, but that triangles may be open; Cancelled

@@ -24,9 +24,16 @@ Work AddFit(CLI::App& command) {
     command
         .add_option("--model", o.model,
                     "solid: a lattice of cells whose boundary's limit is the target\n(default for closed targets);\n"
-                    "surface: a cage whose limit is")
-        ->option_text("solid|surface")
-        ->check(CLI::IsMember({"solid", "surface"}));
+                    "surface: a cage whose limit is;\n"
+                    "lattice: one around --template whose deformation carries that\nto the target (default with "
+                    "--template)")
+        ->option_text("solid|surface|lattice")
+        ->check(CLI::IsMember({"solid", "surface", "lattice"}));
+    command
+        .add_option("--template", o.template_file, "the model that a lattice carries to the target, near which it lies")
+        ->option_text("FILE");
+    command.add_flag("--matched", o.matched,
+                     "vertices of --template go to the target's of the same number;\nwithout: to where it is nearest");
     command.add_option("--control", o.control, "about how many control points; default 400")
         ->option_text("N")
         ->check(CLI::Range(8, 100'000));
@@ -64,12 +71,15 @@ Work AddFit(CLI::App& command) {
     command.footer(
         "Into DIR go lattice.vtu (or cage.obj), the control mesh; fitted.obj, its limit surface; fitted.vtu, that with "
         "each\nvertex's distance from the target; solid.vtu, the refined solid; fit.json with settings, distances both "
-        "ways,\nfolded cells and times; pictures and report.html. docs/fitting.md explains how it works.\n\n" +
+        "ways,\nfolded cells and times; pictures and report.html. Of --template fitted.obj is the deformed model; "
+        "start.vtu the\nlattice before ('deform --lattice start.vtu --to lattice.vtu' carries other models along).\n"
+        "docs/fitting.md explains how it works.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv fit bunny.obj -o fitted --control 150 --levels 2\n"
         "  solidsubdiv fit bunny.obj -o cage --model surface --scheme loop --control 200 --json -\n"
-        "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3");
+        "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3\n"
+        "  solidsubdiv fit deformed.obj -o carried --template bunny.obj --control 200");
     return [options](Session& session) { RunFit(*options, session); };
 }
 

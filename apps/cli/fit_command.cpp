@@ -41,6 +41,7 @@ class FitCommand {
     FitCommand(const FitCommandOptions& options, Session& session) : options_(options), session_(session) {}
 
     void Run() {
+        RequireTemplate();
         // What can't be written is found out before any work.
         session_.outputs().MakeFolder(options_.folder);
         const auto stage = [&](const std::string& name) {
@@ -48,16 +49,23 @@ class FitCommand {
             staged_.push_back({name, file, session_.outputs().Stage(file)});
         };
         ReadTarget();
+        if (is_lattice_) ReadTemplate();
         for (const char* name : {"fitted.obj", "fitted.vtu", "fit.json"}) stage(name);
-        stage(is_solid_ ? "lattice.vtu" : "cage.obj");
+        stage(is_solid_ || is_lattice_ ? "lattice.vtu" : "cage.obj");
         if (is_solid_) stage("solid.vtu");
+        if (is_lattice_) stage("start.vtu");
 #ifdef SOLIDSUBDIV_HAS_PICTURES
         if (options_.pictures) {
             for (const char* name : {"fit.png", "convergence.svg", "report.html"}) stage(name);
         }
 #endif
         About(options_.input, [&] {
-            MakeStart();
+            ChooseScheme();
+            if (is_lattice_) {
+                MakeLattice();
+            } else {
+                MakeStart();
+            }
             Solve();
         });
         WriteMeshes();
@@ -72,6 +80,17 @@ class FitCommand {
         std::string name;
         fs::path file, written;
     };
+
+    void RequireTemplate() const {
+        const bool has_template = !options_.template_file.empty();
+        if (options_.model == "lattice" && !has_template) {
+            throw UsageError("--model lattice needs --template: the model that the lattice carries to the target");
+        }
+        if (has_template && !options_.model.empty() && options_.model != "lattice") {
+            throw UsageError("--template is for --model lattice; --model is " + options_.model);
+        }
+        if (options_.matched && !has_template) throw UsageError("--matched needs --template");
+    }
 
     void ReadTarget() {
         session_.Stage("read");
@@ -94,8 +113,9 @@ class FitCommand {
         }
         diagonal_ = Geometry::BoundingBox(points_).Diagonal();
         if (!(diagonal_ > 0)) throw InvalidInput(options_.input + ": is a single point; there is nothing to fit to");
-        is_solid_ = options_.model.empty() ? n_border == 0 : options_.model == "solid";
-        if (options_.model.empty() && n_border > 0) {
+        is_lattice_ = options_.model == "lattice" || (options_.model.empty() && !options_.template_file.empty());
+        is_solid_ = options_.model.empty() ? n_border == 0 && !is_lattice_ : options_.model == "solid";
+        if (options_.model.empty() && n_border > 0 && !is_lattice_) {
             session_.Note(options_.input + ": has " + Counted(n_border, "border edge", "border edges") +
                           ": a cage is fitted (--model surface), since it bounds no solid");
         }
@@ -108,31 +128,41 @@ class FitCommand {
                            {"diagonal", diagonal_}};
     }
 
+    void ReadTemplate() {
+        template_ = Io::ReadMesh(options_.template_file);
+        for (const std::string& note : template_.notes) session_.Note(options_.template_file + ": " + note);
+        template_triangles_ = SurfaceTriangles(template_);
+        if (template_triangles_.empty()) {
+            throw InvalidInput(options_.template_file + ": has no faces: there is no surface to carry");
+        }
+        if (options_.matched && template_.positions.size() != points_.size()) {
+            throw InvalidInput(options_.template_file + ": has " + std::to_string(template_.positions.size() / 3) +
+                               " vertices, " + options_.input + " has " + std::to_string(points_.size() / 3) +
+                               ": with --matched they must be as many");
+        }
+        json_["template"] = {{"file", options_.template_file},
+                             {"vertices", template_.positions.size() / 3},
+                             {"triangles", template_triangles_.size() / 3}};
+    }
+
     Fit::TargetSurface Target() const { return {.positions = points_, .triangles = triangles_}; }
 
-    void MakeStart() {
-        session_.Stage("start");
+    void ChooseScheme() {
         SchemeOptions scheme = options_.scheme;
-        if (scheme.scheme.empty()) scheme.scheme = is_solid_ ? "catmull-clark-solid" : "loop";
+        const bool has_cells = is_solid_ || is_lattice_;
+        if (scheme.scheme.empty()) scheme.scheme = has_cells ? "catmull-clark-solid" : "loop";
         // The cells that a scheme was made for: of solids by what its own default mesh is.
-        const bool is_tet_oct = scheme.scheme != "catmull-clark-solid" && scheme.scheme != "mlca";
-        const bool is_quad = scheme.scheme == "catmull-clark";
-        const MeshKind kind{is_solid_, is_solid_ ? is_tet_oct : !is_quad};
-        choice_ = MakeScheme(scheme, kind);
-        const Fit::StartOptions how{.n_control = options_.control,
-                                    .tets = is_solid_ && is_tet_oct,
-                                    .quads = is_quad,
-                                    .progress = session_.progress()};
-        Fit::StartReport report;
-        mesh_ = is_solid_ ? Fit::FindSolidStart(Target(), choice_->scheme, how, &report)
-                          : Fit::MakeCage(Target(), how, &report);
-        if (!report.has_target_topology) {
-            session_.Note(options_.input + ": the start has " + Counted(report.n_components, "piece", "pieces") +
-                          " and Euler characteristic " + std::to_string(report.euler) + ", the target " +
-                          std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
-                          ": parts are too thin for so few control points; try more (--control)");
+        is_tet_oct_ = scheme.scheme != "catmull-clark-solid" && scheme.scheme != "mlca";
+        is_quad_ = scheme.scheme == "catmull-clark";
+        if (is_lattice_ && is_tet_oct_) {
+            throw UsageError("--scheme " + scheme.scheme +
+                             ": lattices around a template are of hexahedra; use "
+                             "catmull-clark-solid or mlca");
         }
-        json_["settings"] = {{"model", is_solid_ ? "solid" : "surface"},
+        choice_ = MakeScheme(scheme, MeshKind{has_cells, has_cells ? is_tet_oct_ : !is_quad_});
+        json_["settings"] = {{"model", is_lattice_ ? "lattice"
+                                       : is_solid_ ? "solid"
+                                                   : "surface"},
                              {"scheme", Sdc::NameOf(choice_->scheme)},
                              {"control", options_.control},
                              {"levels", options_.levels},
@@ -143,6 +173,41 @@ class FitCommand {
                              {"threads", Sdc::ThreadCount()}};
         for (const auto& option : OptionValues(scheme, choice_->scheme))
             json_["settings"][option.first] = option.second;
+    }
+
+    /// A lattice of cubes around the template.
+    void MakeLattice() {
+        session_.Stage("start");
+        constexpr int kLevels = 2;  // of the cells that the template is put into
+        About(options_.template_file, [&] {
+            mesh_ = Fit::MakeBoxLattice(template_.positions, options_.control);
+            problem_ = Fit::MakeLatticeProblem(mesh_, choice_->scheme,
+                                               {.positions = template_.positions, .triangles = template_triangles_},
+                                               Target(), kLevels);
+        });
+        if (options_.matched) problem_.partners = points_;
+        json_["settings"]["matched"] = options_.matched;
+        json_["control"] = {{"points", mesh_.n_vertices()}, {"cells", mesh_.hexes.size() / 8}, {"faces", 0}};
+        start_ = mesh_;
+    }
+
+    void MakeStart() {
+        session_.Stage("start");
+        const Fit::StartOptions how{.n_control = options_.control,
+                                    .tets = is_solid_ && is_tet_oct_,
+                                    .quads = is_quad_,
+                                    .progress = session_.progress()};
+        Fit::StartReport report;
+        mesh_ = is_solid_ ? Fit::FindSolidStart(Target(), choice_->scheme, how, &report)
+                          : Fit::MakeCage(Target(), how, &report);
+        if (!report.has_target_topology) {
+            session_.Note(options_.input + ": the start has " + Counted(report.n_components, "piece", "pieces") +
+                          " and Euler characteristic " + std::to_string(report.euler) + ", the target " +
+                          std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
+                          ": parts are too thin for so few control points; try more (--control)");
+        }
+        constexpr int kRate = 4, kFineRate = 12;
+        problem_ = Fit::MakeProblem(mesh_, choice_->scheme, Target(), kRate, kFineRate);
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},
                             {"faces", (mesh_.triangles.size() / 3) + (mesh_.quads.size() / 4)},
@@ -153,8 +218,6 @@ class FitCommand {
 
     void Solve() {
         session_.Stage("fit");
-        constexpr int kRate = 4, kFineRate = 12;
-        problem_ = Fit::MakeProblem(mesh_, choice_->scheme, Target(), kRate, kFineRate);
         Fit::Options how = options_.fit;
         how.progress = session_.progress();
         result_ = Fit::FitControlPoints(problem_, how);
@@ -176,13 +239,21 @@ class FitCommand {
 
     void WriteMeshes() {
         session_.Stage("write");
-        const Staged& control = StagedFile(is_solid_ ? "lattice.vtu" : "cage.obj");
+        const Staged& control = StagedFile(is_solid_ || is_lattice_ ? "lattice.vtu" : "cage.obj");
         Io::WriteMesh(control.written, MeshOf(mesh_), {.keep_octahedra = true});
         AddOutput(control);
+        if (is_lattice_) {
+            Io::WriteMesh(StagedFile("start.vtu").written, MeshOf(start_));
+            AddOutput(StagedFile("start.vtu"));
+        }
         Io::Mesh surface;
+        if (is_lattice_) {
+            surface = template_;
+        } else {
+            surface.topology.n_vertices = static_cast<Index>(result_.vertices.size() / 3);
+            surface.topology.triangles = problem_.fine.triangles;
+        }
         surface.positions = result_.vertices;
-        surface.topology.n_vertices = static_cast<Index>(result_.vertices.size() / 3);
-        surface.topology.triangles = problem_.fine.triangles;
         const Staged& obj = StagedFile("fitted.obj");
         Io::WriteMesh(obj.written, surface);
         AddOutput(obj);
@@ -220,7 +291,7 @@ class FitCommand {
 
     /// The control mesh as it is seen: of a solid its boundary.
     Io::Mesh ControlSurface() {
-        if (!is_solid_) return MeshOf(mesh_);
+        if (!is_solid_) return MeshOf(mesh_);  // of a lattice all of it: the template lies inside
         return Refinement(MeshOf(mesh_), SettingsAt(0, false), session_).Boundary();
     }
 
@@ -253,7 +324,11 @@ class FitCommand {
     std::vector<double> points_;
     std::vector<Index> triangles_;
     double diagonal_ = 0;
-    bool is_solid_ = false;
+    bool is_solid_ = false, is_lattice_ = false;  // neither: a cage
+    Io::Mesh template_;                           // of a lattice
+    std::vector<Index> template_triangles_;
+    Fit::ControlMesh start_;
+    bool is_tet_oct_ = false, is_quad_ = false;
     std::optional<SchemeChoice> choice_;
     Fit::ControlMesh mesh_;
     Fit::Problem problem_;

@@ -12,7 +12,9 @@ namespace SolidSubdiv::Cli {
 
 struct FitCommandOptions {
     std::string input, folder;
-    std::string model;  ///< "solid", "surface"; empty: solid where the target is closed
+    std::string model;          ///< "solid", "surface", "lattice"; empty: solid where the target is closed
+    std::string template_file;  ///< of a lattice: the model that is carried to the target
+    bool matched = false;       ///< its vertices and the target's correspond by number
     SchemeOptions scheme;
     int control = 400;  ///< about so many control points
     int levels = 3;     ///< of the refined solid that is written

@@ -65,7 +65,7 @@ Json FitJson(const FitSummary& s) {
 std::string FitText(const FitSummary& s, const Json& json) {
     std::string text = json["settings"]["model"].get<std::string>() + " of " +
                        Counted(json["control"]["points"].get<long long>(), "control point", "control points");
-    if (json.contains("solid")) {
+    if (json["control"]["faces"] == 0) {
         text += ", " + Counted(json["control"]["cells"].get<long long>(), "cell", "cells");
     } else {
         text += ", " + Counted(json["control"]["faces"].get<long long>(), "face", "faces");

@@ -12,6 +12,7 @@
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/refinement.h>
 #include <solidsubdiv/apps/fit/find_start.h>
+#include <solidsubdiv/apps/fit/fit_solid.h>
 #include <solidsubdiv/apps/fit/start.h>
 #include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
@@ -35,6 +36,9 @@ Io::Mesh MeshOf(const Fit::ControlMesh& control) {
     mesh.topology.quads = control.quads;
     return mesh;
 }
+
+/// Parts of an edge of a control face: in the rounds, and in what is measured and written.
+constexpr int kRate = 4, kFineRate = 12;
 
 class FitCommand {
   public:
@@ -206,8 +210,7 @@ class FitCommand {
                           std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
                           ": parts are too thin for so few control points; try more (--control)");
         }
-        constexpr int kRate = 4, kFineRate = 12;
-        problem_ = Fit::MakeProblem(mesh_, choice_->scheme, Target(), kRate, kFineRate);
+        if (!is_solid_) problem_ = Fit::MakeProblem(mesh_, choice_->scheme, Target(), kRate, kFineRate);
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},
                             {"faces", (mesh_.triangles.size() / 3) + (mesh_.quads.size() / 4)},
@@ -220,7 +223,14 @@ class FitCommand {
         session_.Stage("fit");
         Fit::Options how = options_.fit;
         how.progress = session_.progress();
-        result_ = Fit::FitControlPoints(problem_, how);
+        if (is_solid_) {
+            Fit::SolidFit fit = Fit::FitSolid(mesh_, choice_->scheme, Target(), how, kRate, kFineRate);
+            problem_ = std::move(fit.problem);
+            result_ = std::move(fit.result);
+            json_["fits"] = fit.n_fits;
+        } else {
+            result_ = Fit::FitControlPoints(problem_, how);
+        }
         if (result_.stopped == "cancelled") throw Cancelled();
         mesh_.positions = result_.control;
         if (result_.n_folded > 0) {

@@ -19,9 +19,9 @@ constexpr int kMostTried = 16;
 /// How far a short fit stays away. Where it folds nothing can be said yet, so that it counts for more.
 double DistanceOf(const ControlMesh& start, const Sdc::Scheme& scheme, const TargetSurface& target) {
     constexpr int kRounds = 8, kRate = 2;
-    const Result result =
-        FitControlPoints(MakeProblem(start, scheme, target, kRate), {.max_rounds = kRounds, .points_per_control = 6});
-    return std::hypot(result.to_target.rms, result.from_target.rms) * (1 + result.n_folded);
+    const Result result = FitControlPoints(MakeProblem(start, scheme, target, kRate),
+                                           {.max_rounds = kRounds, .points_per_control = 6, .is_measured = false});
+    return std::hypot(result.rounds.back().surface_rms, result.rounds.back().target_rms) * (1 + result.n_folded);
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
                     &result.control[3 * static_cast<std::size_t>(p)]);
     }
     result.n_folded = CountFolded(scaled.corners, control);
-    Measure(problem, result);
+    if (options.is_measured) Measure(problem, result);
     return result;
 }
 

@@ -58,7 +58,8 @@ struct Problem {
     std::vector<std::vector<Index>> neighbors;
     /// (n): corner a of a cell and its neighbours there, (b - a) x (c - a) . (d - a) positive at the start.
     std::vector<std::array<Index, 4>> corners;
-    std::vector<Index> locked{};  ///< control points that stay
+    std::vector<double> corner_weights{};  ///< (n): of the barrier at each corner; empty: 1
+    std::vector<Index> locked{};           ///< control points that stay
     /// Pairs of control points that mirror each other in the plane x_axis = offset; (i, i) stays in it.
     std::vector<std::array<Index, 2>> mirrored{};
     int mirror_axis = 0;
@@ -97,6 +98,7 @@ struct Options {
     int points_per_control =
         24;                      ///< >= 1: of the target's points so many a control point are paired, if there are more
     double tolerance = 0;        ///< >= 0, unit of the positions: stop as soon as both RMS distances are below
+    bool is_measured = true;     ///< whether distances and vertices of the result are wanted
     double least_change = 1e-3;  ///< stop where a round changes the error by less than this part, fairness at least
     Progress progress{};
 

@@ -130,6 +130,9 @@ void Problem::Validate() const {
     for (const auto& corner : corners) {
         for (Index p : corner) require_point(p, "a corner");
     }
+    if (!corner_weights.empty() && corner_weights.size() != corners.size()) {
+        fail(std::to_string(corner_weights.size()) + " weights for " + std::to_string(corners.size()) + " corners");
+    }
     for (Index p : locked) require_point(p, "locked");
     for (const auto& pair : mirrored) {
         for (Index p : pair) require_point(p, "mirrored");

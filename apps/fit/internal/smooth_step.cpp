@@ -47,9 +47,10 @@ class Objective final : public ceres::FirstOrderFunction {
     bool Evaluate(const double* unknown, double* cost, double* gradient) const override {
         Move(unknown);
         *cost = form_.Evaluate(moved_, gradient ? std::span<double>(slope_) : std::span<double>());
-        *cost += 0.5 * settings_.barrier *
-                 CornerEnergy(settings_.problem.corners, settings_.enough, at_, kSoftness, 0.5 * settings_.barrier,
-                              gradient ? std::span<double>(slope_) : std::span<double>());
+        *cost +=
+            0.5 * settings_.barrier *
+            CornerEnergy(settings_.problem.corners, settings_.enough, settings_.problem.corner_weights, at_, kSoftness,
+                         0.5 * settings_.barrier, gradient ? std::span<double>(slope_) : std::span<double>());
         *cost *= kScale;
         if (gradient == nullptr) return true;
         for (std::size_t p = 0; p < stays_.size(); ++p) {

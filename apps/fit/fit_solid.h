@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lattice of cells fitted to a surface, with all of its refined cells unfolded if that can be.
+//
+//     Fit::ControlMesh lattice = Fit::FindSolidStart(target, scheme, {.n_control = 400});
+//     const Fit::SolidFit fit = Fit::FitSolid(lattice, scheme, target, {});
+//     lattice.positions = fit.result.control;
+//
+// Corners of control cells may be well shaped although what they are refined into is folded. Where that is so, the
+// barrier of those control cells is made ten times higher, of those alone, and all is fitted again.
+#pragma once
+
+#include <solidsubdiv/apps/fit/fit.h>
+
+namespace SolidSubdiv::Fit {
+
+struct SolidFit {
+    Problem problem;
+    Result result;
+    int n_fits = 0;
+    Offset n_folded = 0;  ///< of the limit's cells at kFoldLevel, in the result
+};
+
+/// The level at which the limit's cells are looked at: 64 of them in each control cell.
+inline constexpr int kFoldLevel = 2;
+
+/// Numbers of the control cells (hexahedra; or tets, then octahedra) that hold limit cells which are folded, each as
+/// often as it holds one. @throws InvalidInput where the scheme can't refine the mesh
+std::vector<Index> FoldedCells(const ControlMesh& mesh, const Sdc::Scheme& scheme);
+
+/// Of all fits that were made the one with the fewest folded cells, among these the first.
+/// @throws InvalidInput as MakeProblem, and where there are no cells; SolverError. What was found so far where progress
+/// cancels.
+SolidFit FitSolid(const ControlMesh& start, const Sdc::Scheme& scheme, const TargetSurface& target,
+                  const Options& options, int rate = 4, int fine_rate = 0);
+
+}  // namespace SolidSubdiv::Fit

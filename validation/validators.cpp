@@ -100,6 +100,49 @@ constexpr std::array kValidators = {
               "editing sessions on models in octree and shrunken lattices: changes of level, down, up and out, move no "
               "vertex, over the model's size",
               1e-10, "what is asked for; rounding of positions leaves 1e-15", ValidateFfdLevels},
+    Validator{"fit-affine",
+              "what the fairness of fits has against affine images of control meshes of every kind, over the size",
+              1e-12, "weights solved for to a hundred units of rounding (2e-16), and ten times that",
+              ValidateFitAffine},
+    Validator{
+        "fit-affine-lattice",
+        "box lattices carry a model to its affine image, points being known and fairness on, over the size", 1e-9,
+        "a direct solver of normal equations, in which control points that carry little of the model stand beside "
+        "ones that carry much: it leaves 1e-10",
+        ValidateFitAffineLattice},
+    Validator{
+        "fit-distances",
+        "largest distances of surfaces fitted to the scan from it, and back = CGAL's Hausdorff distances, over the "
+        "diagonal; errors are what exceeds",
+        0, "what is allowed is taken off: CGAL's bound (1e-4) and the gaps between points measured",
+        ValidateFitDistances},
+    Validator{
+        "fit-folded",
+        "solids fitted to the scan: at random places in levels 0 to 2, cells that are proved not to be folded have "
+        "positive determinants, and so have control tets and octahedra where a fit says that no corner is folded",
+        0, "signs", ValidateFitFolded},
+    Validator{"fit-free-partners",
+              "control meshes of every kind fitted to their own limit from a per cent away, by nearest points: RMS "
+              "distances both ways over the diagonal",
+              1e-6, "what is asked for; rounds stop there", ValidateFitFreePartners},
+    Validator{
+        "fit-jacobians",
+        "derivatives of all residuals of rounds, of nearest points with and without normals, of partners, of "
+        "fairness, of the barrier = central differences; over the largest of a block",
+        1e-7,
+        "residuals of size 1 are linear in one coordinate: differences have rounding (1e-16) over the step (1e-5), "
+        "times what a block's largest derivative is below 1",
+        ValidateFitJacobians},
+    Validator{"fit-known-partners",
+              "control meshes of every kind fitted to points of their own limit, regularizers off: control points that "
+              "the surface depends on, over the size",
+              1e-8, "what is asked for; conjugate gradients stop when a step gains no more", ValidateFitKnownPartners},
+    Validator{
+        "fit-orders",
+        "errors of fits as control meshes are halved fall with order 4 on regular ones (quartic box splines, bicubic "
+        "B-splines), with order 3 where six vertices are extraordinary; errors are what an order lacks",
+        0.3, "orders are those of the limit: at 10 to 40 points a ring the next terms still take part",
+        ValidateFitOrders},
     Validator{"lattice-counts",
               "octree lattices: of one cell 1, 8, .. 32768 cells, as published; of models the cells that a count of "
               "their vertices finds, each once, with as many control points as they have corners",

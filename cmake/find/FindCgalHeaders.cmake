@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# CGAL's headers by path (its own config sets flags for all): defines SolidSubdiv3rd::cgal. GPL: for benchmarks only.
+# CGAL's headers by path (its own config sets flags for all): defines SolidSubdiv3rd::cgal.
+# GPL: for benchmarks and validators only.
 find_path(CgalHeaders_INCLUDE_DIR CGAL/subdivision_method_3.h)
 find_path(CgalHeaders_BOOST_INCLUDE_DIR boost/graph/graph_traits.hpp)
 find_library(CgalHeaders_GMP_LIBRARY gmp)

@@ -15,7 +15,9 @@ Work AddFit(CLI::App& command) {
     const auto options = std::make_shared<FitCommandOptions>();
     FitCommandOptions& o = *options;
     const Fit::Options defaults;
-    command.add_option("TARGET", o.input, "the shape: a surface, or a solid, whose boundary is taken")
+    command
+        .add_option("TARGET", o.input,
+                    "the shape: a surface, or a solid, whose boundary is taken;\na volume, whose surface is; points")
         ->required()
         ->option_text(" ");
     command.add_option("-o,--output", o.folder, "a folder for all that is found; made where it is not there")
@@ -34,6 +36,17 @@ Work AddFit(CLI::App& command) {
         ->option_text("FILE");
     command.add_flag("--matched", o.matched,
                      "vertices of --template go to the target's of the same number;\nwithout: to where it is nearest");
+    command.add_option("--label", o.target.label, "of volumes: the voxels of this value; default those of a mask")
+        ->option_text("L");
+    command
+        .add_option("--iso", o.target.iso,
+                    "of volumes: all from this level on; default of grey values\nOtsu's threshold")
+        ->option_text("V");
+    command
+        .add_option("--smooth", o.target.smooth,
+                    "of volumes: a Gaussian of so many voxels before; default 1\nfor labels, 0 for grey values")
+        ->option_text("S")
+        ->check(CLI::Range(0.0, 16.0));
     command.add_option("--control", o.control, "about how many control points; default 400")
         ->option_text("N")
         ->check(CLI::Range(8, 100'000));
@@ -74,12 +87,14 @@ Work AddFit(CLI::App& command) {
         "ways,\nfolded cells and times; pictures and report.html. Of --template fitted.obj is the deformed model; "
         "start.vtu the\nlattice before ('deform --lattice start.vtu --to lattice.vtu' carries other models along).\n"
         "docs/fitting.md explains how it works.\n\n" +
-        SchemesHelp() + "\n\n" + ReadableFilesHelp() +
+        SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + ReadableTargetsHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv fit bunny.obj -o fitted --control 150 --levels 2\n"
         "  solidsubdiv fit bunny.obj -o cage --model surface --scheme loop --control 200 --json -\n"
         "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3\n"
-        "  solidsubdiv fit deformed.obj -o carried --template bunny.obj --control 200");
+        "  solidsubdiv fit deformed.obj -o carried --template bunny.obj --control 200\n"
+        "  solidsubdiv fit labels.nii.gz -o caudate --label 1 --control 200\n"
+        "  solidsubdiv fit scan.xyz -o fitted --robust 3");
     return [options](Session& session) { RunFit(*options, session); };
 }
 

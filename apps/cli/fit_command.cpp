@@ -9,14 +9,11 @@
 #include <optional>
 
 #include <solidsubdiv/apps/cli/fit_report.h>
-#include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/refinement.h>
 #include <solidsubdiv/apps/fit/find_start.h>
 #include <solidsubdiv/apps/fit/fit_solid.h>
 #include <solidsubdiv/apps/fit/start.h>
-#include <solidsubdiv/kit/geometry/box.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
-#include <solidsubdiv/kit/geometry/surface_components.h>
 #include <solidsubdiv/kit/io/formats.h>
 
 namespace SolidSubdiv::Cli {
@@ -52,7 +49,7 @@ class FitCommand {
             const fs::path file = fs::path(options_.folder) / name;
             staged_.push_back({name, file, session_.outputs().Stage(file)});
         };
-        ReadTarget();
+        Readtarget_.Surface();
         if (is_lattice_) ReadTemplate();
         for (const char* name : {"fitted.obj", "fitted.vtu", "fit.json"}) stage(name);
         stage(is_solid_ || is_lattice_ ? "lattice.vtu" : "cage.obj");
@@ -96,40 +93,16 @@ class FitCommand {
         if (options_.matched && !has_template) throw UsageError("--matched needs --template");
     }
 
-    void ReadTarget() {
-        session_.Stage("read");
-        const Io::Mesh mesh = Io::ReadMesh(options_.input);
-        for (const std::string& note : mesh.notes) session_.Note(options_.input + ": " + note);
-        points_ = mesh.positions;
-        triangles_ = SurfaceTriangles(mesh);
-        if (triangles_.empty()) {
-            throw InvalidInput(options_.input + ": has no faces: there is no surface to fit to");
-        }
-        const auto components = Geometry::SurfaceComponents(triangles_, static_cast<Index>(points_.size() / 3));
-        Offset n_border = 0, euler = 0;
-        for (const auto& c : components) {
-            n_border += c.n_border_edges;
-            euler += c.EulerCharacteristic();
-        }
-        if (About(options_.input, [&] { return Fit::LooksInwards(Target()); })) {
-            for (std::size_t t = 0; t < triangles_.size(); t += 3) std::swap(triangles_[t + 1], triangles_[t + 2]);
-            session_.Note(options_.input + ": its faces look inwards; turned around");
-        }
-        diagonal_ = Geometry::BoundingBox(points_).Diagonal();
-        if (!(diagonal_ > 0)) throw InvalidInput(options_.input + ": is a single point; there is nothing to fit to");
+    void Readtarget_.Surface() {
+        target_ = ReadFitTarget(options_.input, options_.target, session_);
+        const bool is_closed = target_.n_border_edges == 0;
         is_lattice_ = options_.model == "lattice" || (options_.model.empty() && !options_.template_file.empty());
-        is_solid_ = options_.model.empty() ? n_border == 0 && !is_lattice_ : options_.model == "solid";
-        if (options_.model.empty() && n_border > 0 && !is_lattice_) {
-            session_.Note(options_.input + ": has " + Counted(n_border, "border edge", "border edges") +
+        is_solid_ = options_.model.empty() ? is_closed && !is_lattice_ : options_.model == "solid";
+        if (options_.model.empty() && !is_closed && !is_lattice_) {
+            session_.Note(options_.input + ": has " + Counted(target_.n_border_edges, "border edge", "border edges") +
                           ": a cage is fitted (--model surface), since it bounds no solid");
         }
-        json_["target"] = {{"file", options_.input},
-                           {"vertices", points_.size() / 3},
-                           {"triangles", triangles_.size() / 3},
-                           {"components", components.size()},
-                           {"border_edges", n_border},
-                           {"euler_characteristic", euler},
-                           {"diagonal", diagonal_}};
+        json_["target"] = target_.json;
     }
 
     void ReadTemplate() {
@@ -139,17 +112,15 @@ class FitCommand {
         if (template_triangles_.empty()) {
             throw InvalidInput(options_.template_file + ": has no faces: there is no surface to carry");
         }
-        if (options_.matched && template_.positions.size() != points_.size()) {
+        if (options_.matched && template_.positions.size() != target_.positions.size()) {
             throw InvalidInput(options_.template_file + ": has " + std::to_string(template_.positions.size() / 3) +
-                               " vertices, " + options_.input + " has " + std::to_string(points_.size() / 3) +
+                               " vertices, " + options_.input + " has " + std::to_string(target_.positions.size() / 3) +
                                ": with --matched they must be as many");
         }
         json_["template"] = {{"file", options_.template_file},
                              {"vertices", template_.positions.size() / 3},
                              {"triangles", template_triangles_.size() / 3}};
     }
-
-    Fit::TargetSurface Target() const { return {.positions = points_, .triangles = triangles_}; }
 
     void ChooseScheme() {
         SchemeOptions scheme = options_.scheme;
@@ -187,9 +158,9 @@ class FitCommand {
             mesh_ = Fit::MakeBoxLattice(template_.positions, options_.control);
             problem_ = Fit::MakeLatticeProblem(mesh_, choice_->scheme,
                                                {.positions = template_.positions, .triangles = template_triangles_},
-                                               Target(), kLevels);
+                                               target_.Surface(), kLevels);
         });
-        if (options_.matched) problem_.partners = points_;
+        if (options_.matched) problem_.partners = target_.positions;
         json_["settings"]["matched"] = options_.matched;
         json_["control"] = {{"points", mesh_.n_vertices()}, {"cells", mesh_.hexes.size() / 8}, {"faces", 0}};
         start_ = mesh_;
@@ -202,15 +173,15 @@ class FitCommand {
                                     .quads = is_quad_,
                                     .progress = session_.progress()};
         Fit::StartReport report;
-        mesh_ = is_solid_ ? Fit::FindSolidStart(Target(), choice_->scheme, how, &report)
-                          : Fit::MakeCage(Target(), how, &report);
+        mesh_ = is_solid_ ? Fit::FindSolidStart(target_.Start(), choice_->scheme, how, &report)
+                          : Fit::MakeCage(target_.Start(), how, &report);
         if (!report.has_target_topology) {
             session_.Note(options_.input + ": the start has " + Counted(report.n_components, "piece", "pieces") +
                           " and Euler characteristic " + std::to_string(report.euler) + ", the target " +
                           std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
                           ": parts are too thin for so few control points; try more (--control)");
         }
-        if (!is_solid_) problem_ = Fit::MakeProblem(mesh_, choice_->scheme, Target(), kRate, kFineRate);
+        if (!is_solid_) problem_ = Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate);
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},
                             {"faces", (mesh_.triangles.size() / 3) + (mesh_.quads.size() / 4)},
@@ -224,7 +195,7 @@ class FitCommand {
         Fit::Options how = options_.fit;
         how.progress = session_.progress();
         if (is_solid_) {
-            Fit::SolidFit fit = Fit::FitSolid(mesh_, choice_->scheme, Target(), how, kRate, kFineRate);
+            Fit::SolidFit fit = Fit::FitSolid(mesh_, choice_->scheme, target_.Surface(), how, kRate, kFineRate);
             problem_ = std::move(fit.problem);
             result_ = std::move(fit.result);
             json_["fits"] = fit.n_fits;
@@ -306,7 +277,7 @@ class FitCommand {
     }
 
     void WriteReport() {
-        const FitSummary summary{result_, problem_, diagonal_};
+        const FitSummary summary{result_, problem_, target_.diagonal};
         json_["fit"] = FitJson(summary);
         text_ = FitText(summary, json_);
         json_["seconds"] = session_.Seconds();
@@ -331,9 +302,7 @@ class FitCommand {
     const FitCommandOptions& options_;
     Session& session_;
     std::vector<Staged> staged_;
-    std::vector<double> points_;
-    std::vector<Index> triangles_;
-    double diagonal_ = 0;
+    FitTarget target_;
     bool is_solid_ = false, is_lattice_ = false;  // neither: a cage
     Io::Mesh template_;                           // of a lattice
     std::vector<Index> template_triangles_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/apps/cli/fit_target.h>
 #include <solidsubdiv/apps/cli/scheme_options.h>
 #include <solidsubdiv/apps/fit/fit.h>
 
@@ -19,6 +20,7 @@ struct FitCommandOptions {
     int control = 400;  ///< about so many control points
     int levels = 3;     ///< of the refined solid that is written
     bool pictures = true;
+    FitTargetOptions target;
     Fit::Options fit;
 };
 

@@ -134,7 +134,11 @@ std::vector<std::uint8_t> FitPicture(const FitSummary& s, const Io::Mesh& contro
     const std::vector<double> percent = PercentOf(s);
     const double high = HighestPercent(s);
     Picture::Scene target, lattice, error;
-    target.Add(Picture::Surface{.positions = s.problem.target.positions, .triangles = s.problem.target.triangles});
+    if (s.problem.target.triangles.empty()) {
+        target.Add(Picture::Points{.positions = s.problem.target.positions, .diameter = 3});
+    } else {
+        target.Add(Picture::Surface{.positions = s.problem.target.positions, .triangles = s.problem.target.triangles});
+    }
     lattice.Add(Picture::Surface{.positions = s.result.vertices, .triangles = limit.triangles});
     const std::vector<Index> edges = Picture::ElementEdges(control.topology);
     lattice.Add(Picture::Lines{
@@ -158,10 +162,12 @@ std::string FitPage(const FitSummary& s, const Io::Mesh& control, const Json& js
         .title = "fit of " + std::filesystem::path(json["target"]["file"].get<std::string>()).filename().string(),
         .summary = text.substr(0, text.find('\n')) + ".",
         .view = {.azimuth = 20, .elevation = 14}};
-    report.meshes.push_back({.name = "target",
-                             .positions = s.problem.target.positions,
-                             .triangles = s.problem.target.triangles,
-                             .is_shown = false});
+    if (!s.problem.target.triangles.empty()) {  // the page shows no points
+        report.meshes.push_back({.name = "target",
+                                 .positions = s.problem.target.positions,
+                                 .triangles = s.problem.target.triangles,
+                                 .is_shown = false});
+    }
     report.meshes.push_back({.name = "limit",
                              .positions = s.result.vertices,
                              .triangles = LimitOf(s).triangles,

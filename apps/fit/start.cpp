@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <solidsubdiv/apps/fit/cloud.h>
 #include <solidsubdiv/apps/fit/internal/start/block_meshes.h>
 #include <solidsubdiv/apps/fit/internal/start/block_search.h>
 #include <solidsubdiv/apps/fit/internal/start/decimation.h>
@@ -130,6 +131,15 @@ ControlMesh MakeDecimatedCage(const TargetShape& shape, const StartOptions& opti
     return mesh;
 }
 
+/// A surface that stands for points: their closing, or where nothing seals them an ellipsoid.
+Ellipsoid SurfaceAround(const TargetSurface& cloud, const StartOptions& options) {
+    if (cloud.positions.size() >= 12) {
+        CloudShape shape = ShapeOfCloud(cloud.positions, {}, options.progress);
+        if (!shape.triangles.empty()) return {std::move(shape.positions), std::move(shape.triangles)};
+    }
+    return MakeEllipsoid(cloud.positions, options.n_control);
+}
+
 StartReport ReportOn(const TargetShape& shape) {
     StartReport report;
     report.target_components = static_cast<Offset>(shape.components.size());
@@ -153,7 +163,7 @@ std::vector<ControlMesh> MakeSolidStarts(const TargetSurface& target, const Star
     if (n_most < 1) throw InvalidInput("n_most is " + std::to_string(n_most) + "; it must be at least 1");
     const TargetShape shape(target);
     if (shape.triangles.empty()) {
-        const Ellipsoid around = MakeEllipsoid(target.positions, options.n_control);
+        const Ellipsoid around = SurfaceAround(target, options);
         return MakeSolidStarts({.positions = around.positions, .triangles = around.triangles}, options, n_most,
                                reports);
     }
@@ -184,7 +194,7 @@ ControlMesh MakeCage(const TargetSurface& target, const StartOptions& options, S
     options.Validate();
     const TargetShape shape(target);
     if (shape.triangles.empty()) {
-        const Ellipsoid around = MakeEllipsoid(target.positions, options.n_control);
+        const Ellipsoid around = SurfaceAround(target, options);
         return MakeCage({.positions = around.positions, .triangles = around.triangles}, options, report);
     }
     StartReport made = ReportOn(shape);

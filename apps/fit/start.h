@@ -52,7 +52,8 @@ struct StartReport {
 bool LooksInwards(const TargetSurface& target);
 
 /// A lattice around a closed surface, or around points. Every corner of every hexahedron, every tet and octahedron is
-/// positive; the boundary is a closed manifold. Around points alone it is an ellipsoid of their box.
+/// positive; the boundary is a closed manifold. Around points alone it starts from their closing (cloud.h), or from an
+/// ellipsoid of their box where nothing seals them.
 /// Deterministic, for any number of threads. Cost: some seconds at most for a few thousand control points.
 /// @throws InvalidInput where there is nothing, a position is not finite or beyond 1e75, a triangle names a point that
 /// is not there, the surface is open or encloses nothing; Cancelled

@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include <solidsubdiv/apps/fit/internal/neighbors.h>
+
 namespace SolidSubdiv::Fit::Internal {
 
 namespace {
@@ -68,6 +70,10 @@ PairFinder::PairFinder(const Problem& problem, Offset most_points) : problem_(pr
     if (!problem.partners.empty()) return;
     target_.emplace(problem.target.positions, problem.target.triangles);
     FindPoints(most_points);
+    if (problem.target.triangles.empty()) {
+        constexpr double kSpacings = 3;  // further across no point is missing by chance
+        reach_ = kSpacings * SpacingOf(problem.target.positions, NeighborTree(problem.target.positions));
+    }
     std::map<std::pair<Index, Index>, int> counts;
     const auto& triangles = problem.target.triangles;
     const auto key = [&](std::size_t t, std::size_t k) {
@@ -112,6 +118,11 @@ Vec3 PairFinder::TargetNormal(Index element) const {
     return Unit(n);
 }
 
+bool PairFinder::IsOverHole(const Vec3& to_partner, const Vec3& normal) const {
+    if (!problem_.target.triangles.empty() || Length(normal) == 0) return false;
+    return Length(to_partner - Dot(to_partner, normal) * normal) > reach_;
+}
+
 bool PairFinder::IsBeyondBorder(const Geometry::ClosestPoint& at) const {
     if (is_border_.empty()) return false;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -142,6 +153,7 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
         const Geometry::ClosestPoint& at = on_target[i];
         const Vec3 n = TargetNormal(at.element);
         if (!(areas[i] > 0) || look_away(n, normals[i]) || IsBeyondBorder(at)) continue;
+        if (IsOverHole(AsVec3(at.position) - PointAt(vertices, v), n)) continue;
         pairs.push_back({{v, v, v}, {1, 0, 0}, AsVec3(at.position), n, at.distance, areas[i]});
     }
     n_of_surface = static_cast<Index>(pairs.size());

@@ -31,16 +31,19 @@ class PairFinder {
 
     /// Pairs for the surface's vertices where they are now (n, 3): theirs first, then those of the target's points.
     /// Weights of each way sum to 1 but for what `robust` takes. Pairs whose surfaces look away from each other and
-    /// vertices beyond an open border of the target are left out.
+    /// vertices beyond an open border or over a hole of the target are left out.
     std::vector<Pair> Find(std::span<const double> vertices, double robust, Index& n_of_surface) const;
 
   private:
     void FindPoints(Offset most_points);
     Vec3 TargetNormal(Index element) const;
+    /// Whether the nearest point of a cloud lies to the side, farther than its neighbours do.
+    bool IsOverHole(const Vec3& to_partner, const Vec3& normal) const;
     bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;
 
     const Problem& problem_;
     std::optional<Geometry::ClosestPoints> target_;  ///< where there are no partners
+    double reach_ = 0;  ///< of a cloud's points, across their normals
     /// Those of the target's points that are paired, their normals (of length 1 or 0), and areas, which sum to 1.
     struct Points {
         std::vector<double> positions{};

@@ -93,7 +93,7 @@ TEST(Cage, BadTargetsAreNamed) {
 }
 
 /// Points of a long tilted box: no start has triangles to go by.
-TEST(CloudStart, IsAnEllipsoidOfAboutAsManyControlPoints) {
+TEST(CloudStart, IsOneClosedPieceOfAboutAsManyControlPoints) {
     TestShapes::Random random(5);
     Surface cloud;
     for (int i = 0; i < 500; ++i) {

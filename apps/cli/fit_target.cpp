@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
+#include <solidsubdiv/apps/cli/target_report.h>
 #include <solidsubdiv/apps/fit/cloud.h>
 #include <solidsubdiv/apps/fit/start.h>
 #include <solidsubdiv/apps/voxel/volume_surface.h>
@@ -119,13 +120,6 @@ void ReadCloudTarget(const std::string& file, Session& session, FitTarget& targe
     target.closing_triangles = std::move(shape.triangles);
 }
 
-/// Points, or a PLY file of vertices alone.
-bool IsCloud(const std::string& file) {
-    const Io::PointFormat* const format = Io::FindPointFormat(file);
-    if (!format) return false;
-    return format->extension != ".ply" || Io::ReadMesh(file).topology.n_elements() == 0;
-}
-
 }  // namespace
 
 Fit::TargetSurface FitTarget::Surface() const {
@@ -147,7 +141,7 @@ FitTarget ReadFitTarget(const std::string& file, const FitTargetOptions& options
     }
     if (is_volume) {
         ReadVolumeTarget(file, options, session, target);
-    } else if (IsCloud(file)) {
+    } else if (HoldsPointsAlone(file)) {
         ReadCloudTarget(file, session, target);
     } else {
         ReadMeshTarget(file, session, target);

@@ -135,9 +135,8 @@ void RunInfo(Session& session, const InfoOptions& options) {
     if (const Io::VolumeFormat* format = Io::FindVolumeFormat(options.file)) {
         return RunTargetInfo(session, options, format->name, Io::ReadVolume, DescribeVolume, VolumeText);
     }
-    // A PLY file may be a mesh: it is described as one.
     const Io::PointFormat* points = Io::FindPointFormat(options.file);
-    if (points && points->extension != ".ply") {
+    if (points && HoldsPointsAlone(options.file)) {
         return RunTargetInfo(session, options, points->name, Io::ReadPoints, DescribePoints, PointsText);
     }
     if (std::filesystem::path(options.file).extension() == ".vdb") return RunGridInfo(session, options);

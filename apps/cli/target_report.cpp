@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include <solidsubdiv/apps/cli/common.h>
+#include <solidsubdiv/kit/io/formats.h>
+#include <solidsubdiv/kit/io/points.h>
 
 namespace SolidSubdiv::Cli {
 
@@ -59,6 +61,12 @@ std::string VolumeText(const Json& description) {
     text +=
         "\n  labels            " + Counted(n, "whole number", "whole numbers") + ": " + Joined(labels["first"], ", ");
     return text + (static_cast<Offset>(labels["first"].size()) < n ? ", ..." : "");
+}
+
+bool HoldsPointsAlone(const std::string& file) {
+    const Io::PointFormat* const format = Io::FindPointFormat(file);
+    if (!format) return false;
+    return format->extension != ".ply" || Io::ReadMesh(file).topology.n_elements() == 0;
 }
 
 Json DescribePoints(const Geometry::PointCloud& cloud) {

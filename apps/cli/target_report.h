@@ -17,6 +17,10 @@ using Json = nlohmann::ordered_json;
 Json DescribeVolume(const Geometry::Volume& volume);
 std::string VolumeText(const Json& description);
 
+/// Whether a file is one of points: a format of them, and of PLY files one without faces, edges and cells. A PLY file
+/// is read for it. @throws IoError
+bool HoldsPointsAlone(const std::string& file);
+
 Json DescribePoints(const Geometry::PointCloud& cloud);
 std::string PointsText(const Json& description);
 

@@ -78,33 +78,19 @@ std::vector<double> DistancesTo(const std::vector<bool>& marked, const std::arra
 /// Voxels around a cloud and the distance of each from it, in voxels.
 class CloudGrid {
   public:
-    CloudGrid(std::span<const double> points, double least_voxel, double largest_radius) {
+    CloudGrid(std::span<const double> points, double largest_radius) {
         const Geometry::Box box = Geometry::BoundingBox(points);
         double longest = 0;
         for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, box.high[k] - box.low[k]);
-        width_ = std::max(longest / kVoxels, least_voxel);
+        width_ = longest / kVoxels;
         const double margin = largest_radius + 3 * width_;
         volume_.voxel_to_world = {width_, 0, 0,      box.low[0] - margin, 0, width_, 0, box.low[1] - margin,
                                   0,      0, width_, box.low[2] - margin};
         for (std::size_t k = 0; k < 3; ++k) {
             volume_.dims[k] = static_cast<Offset>(std::ceil((box.high[k] - box.low[k] + 2 * margin) / width_)) + 1;
         }
-        const Geometry::ClosestPoints cloud(points, {});
-        std::vector<double> centres;
-        for (Offset k = 0; k < volume_.dims[2]; ++k) {
-            centres.clear();
-            for (Offset j = 0; j < volume_.dims[1]; ++j) {
-                for (Offset i = 0; i < volume_.dims[0]; ++i) {
-                    const auto p =
-                        volume_.ToWorld({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
-                    centres.insert(centres.end(), p.begin(), p.end());
-                }
-            }
-            for (const auto& nearest : cloud.Find(centres)) distances_.push_back(nearest.distance / width_);
-        }
+        MeasureDistances(points);
     }
-
-    double width() const { return width_; }
 
     /// What is positive inside, in voxels: the closing by balls of a radius. @param n_inside voxels inside
     Geometry::Volume Closing(double radius, Offset& n_inside) const {
@@ -118,7 +104,33 @@ class CloudGrid {
     }
 
   private:
-    static constexpr double kVoxels = 80;
+    static constexpr double kVoxels = 64;
+
+    /// To voxels that hold a point, and near them, where half a voxel makes a difference, to the points themselves.
+    void MeasureDistances(std::span<const double> points) {
+        const std::array<Offset, 3>& n = volume_.dims;
+        std::vector<bool> holds_point(static_cast<std::size_t>(volume_.n_voxels()));
+        const Geometry::AffineMap& m = volume_.voxel_to_world;
+        for (std::size_t p = 0; p < points.size(); p += 3) {
+            std::array<Offset, 3> v{};
+            for (std::size_t k = 0; k < 3; ++k) v[k] = std::lround((points[p + k] - m[4 * k + 3]) / width_);
+            holds_point[static_cast<std::size_t>(v[0] + n[0] * (v[1] + n[1] * v[2]))] = true;
+        }
+        distances_ = DistancesTo(holds_point, n);
+        constexpr double kNear = 4;
+        std::vector<std::size_t> near;
+        std::vector<double> centres;
+        for (std::size_t i = 0; i < distances_.size(); ++i) {
+            if (distances_[i] > kNear) continue;
+            const auto at = static_cast<Offset>(i);
+            const auto centre = volume_.ToWorld({static_cast<double>(at % n[0]), static_cast<double>(at / n[0] % n[1]),
+                                                 static_cast<double>(at / n[0] / n[1])});
+            near.push_back(i);
+            centres.insert(centres.end(), centre.begin(), centre.end());
+        }
+        const auto nearest = Geometry::ClosestPoints(points, {}).Find(centres);
+        for (std::size_t i = 0; i < near.size(); ++i) distances_[near[i]] = nearest[i].distance / width_;
+    }
 
     /// What a walk from a corner reaches beyond the balls, from voxel to voxel over faces.
     std::vector<bool> Outside(double r) const {
@@ -149,14 +161,26 @@ class CloudGrid {
     std::vector<double> distances_;
 };
 
+/// The points but for those that lie alone: whose sixth neighbour is four spacings away.
+std::vector<double> WithoutLonely(std::span<const double> points, const NeighborTree& tree, double spacing) {
+    std::vector<double> kept;
+    for (Index p = 0; static_cast<std::size_t>(p) < points.size() / 3; ++p) {
+        const Vec3 at = PointAt(points, p);
+        if (std::sqrt(tree.Find(at, 7).back().squared_distance) > 4 * spacing) continue;
+        kept.insert(kept.end(), {at.x, at.y, at.z});
+    }
+    return kept;
+}
+
+/// @pre not all points coincide
 void CloseCloud(std::span<const double> points, CloudShape& shape, const Progress& progress) {
     const double diagonal = Geometry::BoundingBox(points).Diagonal();
-    // From what just joins neighbours to a sixth of the diagonal: holes as wide as a third of the shape.
+    // From what just joins neighbours to a quarter of the diagonal: holes as wide as half the shape.
     std::vector<double> radii;
     const double least = std::max(1.5 * shape.spacing, diagonal / 100);
-    for (double r = least; r < diagonal / 6; r *= 1.4) radii.push_back(r);
+    for (double r = least; r < diagonal / 4; r *= 1.6) radii.push_back(r);
     if (radii.empty()) return;
-    const CloudGrid grid(points, 0, radii.back());
+    const CloudGrid grid(points, radii.back());
     std::vector<Offset> counts(radii.size());
     for (std::size_t i = 0; i < radii.size(); ++i) {
         Report(progress, "start: cloud", static_cast<double>(i) / static_cast<double>(radii.size()));
@@ -251,7 +275,10 @@ CloudShape ShapeOfCloud(std::span<const double> points, std::span<const double> 
     const NeighborTree tree(points);
     CloudShape shape;
     shape.spacing = SpacingOf(points, tree);
-    CloseCloud(points, shape, progress);
+    const std::vector<double> dense = WithoutLonely(points, tree, shape.spacing);
+    // Where most points coincide the spacing tells nothing of the others.
+    const bool is_dense = 2 * dense.size() >= points.size() && Geometry::BoundingBox(dense).Diagonal() > 0;
+    CloseCloud(is_dense ? dense : points, shape, progress);
     shape.has_estimated_normals = normals.empty();
     shape.normals = normals.empty() ? PlaneNormals(points, tree) : std::vector<double>(normals.begin(), normals.end());
     for (Index p = 0; static_cast<std::size_t>(p) < n; ++p) SetPoint(shape.normals, p, Unit(PointAt(shape.normals, p)));

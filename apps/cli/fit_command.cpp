@@ -49,7 +49,7 @@ class FitCommand {
             const fs::path file = fs::path(options_.folder) / name;
             staged_.push_back({name, file, session_.outputs().Stage(file)});
         };
-        Readtarget_.Surface();
+        ReadTarget();
         if (is_lattice_) ReadTemplate();
         for (const char* name : {"fitted.obj", "fitted.vtu", "fit.json"}) stage(name);
         stage(is_solid_ || is_lattice_ ? "lattice.vtu" : "cage.obj");
@@ -93,7 +93,7 @@ class FitCommand {
         if (options_.matched && !has_template) throw UsageError("--matched needs --template");
     }
 
-    void Readtarget_.Surface() {
+    void ReadTarget() {
         target_ = ReadFitTarget(options_.input, options_.target, session_);
         const bool is_closed = target_.n_border_edges == 0;
         is_lattice_ = options_.model == "lattice" || (options_.model.empty() && !options_.template_file.empty());

@@ -155,8 +155,10 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
             const auto start = std::chrono::steady_clock::now();
             Round round{.fairness = fairness};
             Index n_of_surface = 0;
+            // Parts that the start lacks are as far as outliers: these are told apart later, while fairness falls.
+            const double widening = options.least_fairness > 0 ? std::sqrt(fairness / options.least_fairness) : 1;
             const std::vector<Pair> pairs =
-                finder.Find(scaled.surface.Positions(control), options.robust, n_of_surface);
+                finder.Find(scaled.surface.Positions(control), options.robust * std::max(1.0, widening), n_of_surface);
             const auto [of_surface, of_target] = [&] {
                 const auto n = static_cast<std::size_t>(n_of_surface);
                 return std::pair(std::span(pairs).first(n), std::span(pairs).subspan(n));

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include <solidsubdiv/apps/cli/fit_report.h>
+#include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/refinement.h>
 #include <solidsubdiv/apps/fit/find_start.h>
 #include <solidsubdiv/apps/fit/fit_solid.h>

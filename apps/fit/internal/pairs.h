@@ -43,7 +43,7 @@ class PairFinder {
 
     const Problem& problem_;
     std::optional<Geometry::ClosestPoints> target_;  ///< where there are no partners
-    double reach_ = 0;  ///< of a cloud's points, across their normals
+    double reach_ = 0;                               ///< of a cloud's points, across their normals
     /// Those of the target's points that are paired, their normals (of length 1 or 0), and areas, which sum to 1.
     struct Points {
         std::vector<double> positions{};

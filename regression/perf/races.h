@@ -33,6 +33,9 @@ Race RaceLimits(const RaceSettings& settings);
 Race RaceDeform(const RaceSettings& settings, int n_vertices);
 Race RaceDeformKoala(const RaceSettings& settings);
 Race RaceEmbedding(const RaceSettings& settings);
+#if defined(SOLIDSUBDIV_HAS_FIT)
+Race RaceFit(const RaceSettings& settings);
+#endif
 #if defined(SOLIDSUBDIV_HAS_VOXEL)
 Race RaceVoxels(const RaceSettings& settings);
 #endif
@@ -63,6 +66,9 @@ inline constexpr RaceEntry kRaces[] = {
     {"deform-1000000", [](const RaceSettings& s) { return RaceDeform(s, 1000000); }},
     {"deform-koala", &RaceDeformKoala},
     {"deform-embedding", &RaceEmbedding},
+#if defined(SOLIDSUBDIV_HAS_FIT)
+    {"fit", &RaceFit},
+#endif
 #if defined(SOLIDSUBDIV_HAS_VOXEL)
     {"voxels", &RaceVoxels},
 #endif

@@ -174,8 +174,10 @@ class FitCommand {
                                     .quads = is_quad_,
                                     .progress = session_.progress()};
         Fit::StartReport report;
-        mesh_ = is_solid_ ? Fit::FindSolidStart(target_.Start(), choice_->scheme, how, &report)
-                          : Fit::MakeCage(target_.Start(), how, &report);
+        constexpr int kTried = 12;
+        mesh_ = is_solid_
+                    ? Fit::FindSolidStart(target_.Start(), choice_->scheme, how, &report, kTried, target_.Surface())
+                    : Fit::MakeCage(target_.Start(), how, &report);
         if (!report.has_target_topology) {
             session_.Note(options_.input + ": the start has " + Counted(report.n_components, "piece", "pieces") +
                           " and Euler characteristic " + std::to_string(report.euler) + ", the target " +

@@ -27,7 +27,7 @@ double DistanceOf(const ControlMesh& start, const Sdc::Scheme& scheme, const Tar
 }  // namespace
 
 ControlMesh FindSolidStart(const TargetSurface& target, const Sdc::Scheme& scheme, const StartOptions& options,
-                           StartReport* report, int n_tried) {
+                           StartReport* report, int n_tried, const TargetSurface& trial) {
     if (n_tried < 1 || n_tried > kMostTried) {
         throw InvalidInput("n_tried is " + std::to_string(n_tried) + "; it must be from 1 to " +
                            std::to_string(kMostTried));
@@ -40,7 +40,7 @@ ControlMesh FindSolidStart(const TargetSurface& target, const Sdc::Scheme& schem
         Sdc::ParallelFor(static_cast<Offset>(starts.size()), 1, [&](Offset begin, Offset end) {
             const Sdc::SerialScope serial;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-                distances[i] = DistanceOf(starts[i], scheme, target);
+                distances[i] = DistanceOf(starts[i], scheme, trial.positions.empty() ? target : trial);
             }
         });
         Report(options.progress, "start: trials", 1);

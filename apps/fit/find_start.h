@@ -15,8 +15,9 @@ namespace SolidSubdiv::Fit {
 /// As MakeSolidStart, but several starts are tried, each by a few rounds of FitControlPoints. Deterministic, for any
 /// number of threads. Cost: a few seconds for 500 control points, shared by the threads.
 /// @param n_tried [1, 16]
+/// @param trial what the short fits are made to, where that is not the target: a cloud, of the surface around it
 /// @throws InvalidInput as MakeSolidStart and MakeProblem, and where n_tried is out of range; SolverError, Cancelled
 ControlMesh FindSolidStart(const TargetSurface& target, const Sdc::Scheme& scheme, const StartOptions& options,
-                           StartReport* report = nullptr, int n_tried = 12);
+                           StartReport* report = nullptr, int n_tried = 12, const TargetSurface& trial = {});
 
 }  // namespace SolidSubdiv::Fit

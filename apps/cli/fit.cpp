@@ -60,11 +60,17 @@ Work AddFit(CLI::App& command) {
         ->option_text("N")
         ->check(CLI::Range(1, 10'000));
     command
-        .add_option("--tolerance", o.fit.tolerance,
-                    "stop as soon as the root of the mean squared distance is\nbelow this, both ways, in the target's "
-                    "unit; default 0")
+        .add_option(
+            "--tolerance", o.fit.tolerance,
+            "the root of the mean squared distance that is near enough,\nboth ways, in the target's unit: where "
+            "it can't be met, again\nwith half as many control points more, up to --max-control;\ndefault 0: as "
+            "near as --control allows")
         ->option_text("T")
         ->check(CLI::NonNegativeNumber);
+    command
+        .add_option("--max-control", o.max_control, "most control points to meet --tolerance; default 4 x --control")
+        ->option_text("N")
+        ->check(CLI::Range(8, 100'000));
     command
         .add_option("--fairness", o.fit.least_fairness,
                     "how stiff the lattice stays in the end: 0.01 smooths noise,\n1e-6 follows every detail; default "

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include <solidsubdiv/apps/cli/fit_report.h>
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
@@ -63,12 +64,7 @@ class FitCommand {
 #endif
         About(options_.input, [&] {
             ChooseScheme();
-            if (is_lattice_) {
-                MakeLattice();
-            } else {
-                MakeStart();
-            }
-            Solve();
+            FitUntilNear();
         });
         WriteMeshes();
         if (is_solid_) WriteSolid();
@@ -151,12 +147,36 @@ class FitCommand {
             json_["settings"][option.first] = option.second;
     }
 
+    /// With more control points each time, as long as a tolerance is not met.
+    void FitUntilNear() {
+        const int most = std::max(options_.control, options_.max_control > 0 ? options_.max_control
+                                                                             : std::min(4 * options_.control, 100'000));
+        for (int n_control = options_.control;; n_control = std::min(most, n_control + n_control / 2)) {
+            if (is_lattice_) {
+                MakeLattice(n_control);
+            } else {
+                MakeStart(n_control);
+            }
+            Solve();
+            const double rms = std::max(result_.to_target.rms, result_.from_target.rms),
+                         tolerance = options_.fit.tolerance;
+            json_["tried"].push_back({{"control_points", mesh_.n_vertices()}, {"rms", rms}});
+            if (!(tolerance > 0) || rms <= tolerance) break;
+            std::ostringstream what;
+            what << options_.input << ": RMS " << rms << " with " << mesh_.n_vertices()
+                 << " control points, --tolerance is " << tolerance;
+            session_.Note(what.str() +
+                          (n_control < most ? "; again with more of them" : "; it is not met (--max-control)"));
+            if (n_control == most) break;
+        }
+    }
+
     /// A lattice of cubes around the template.
-    void MakeLattice() {
+    void MakeLattice(int n_control) {
         session_.Stage("start");
         constexpr int kLevels = 2;  // of the cells that the template is put into
         About(options_.template_file, [&] {
-            mesh_ = Fit::MakeBoxLattice(template_.positions, options_.control);
+            mesh_ = Fit::MakeBoxLattice(template_.positions, n_control);
             problem_ = Fit::MakeLatticeProblem(mesh_, choice_->scheme,
                                                {.positions = template_.positions, .triangles = template_triangles_},
                                                target_.Surface(), kLevels);
@@ -167,9 +187,9 @@ class FitCommand {
         start_ = mesh_;
     }
 
-    void MakeStart() {
+    void MakeStart(int n_control) {
         session_.Stage("start");
-        const Fit::StartOptions how{.n_control = options_.control,
+        const Fit::StartOptions how{.n_control = n_control,
                                     .tets = is_solid_ && is_tet_oct_,
                                     .quads = is_quad_,
                                     .progress = session_.progress()};

@@ -17,8 +17,9 @@ struct FitCommandOptions {
     std::string template_file;  ///< of a lattice: the model that is carried to the target
     bool matched = false;       ///< its vertices and the target's correspond by number
     SchemeOptions scheme;
-    int control = 400;  ///< about so many control points
-    int levels = 3;     ///< of the refined solid that is written
+    int control = 400;    ///< about so many control points
+    int max_control = 0;  ///< where a tolerance is not met, more of them, up to so many; 0: four times `control`
+    int levels = 3;       ///< of the refined solid that is written
     bool pictures = true;
     FitTargetOptions target;
     Fit::Options fit;

@@ -87,6 +87,25 @@ TEST_F(CliFit, AnyNumberOfThreadsGivesTheSameBytes) {
     EXPECT_EQ(ReadText(folder / "a/fitted.vtu"), ReadText(folder / "b/fitted.vtu"));
 }
 
+TEST_F(CliFit, MoreControlPointsAreTakenUntilATolerance) {
+    const auto tried = [&](const std::string& options) {
+        return Json("fit ball.obj -o out --model surface --control 12 --no-pictures " + options)["tried"];
+    };
+    const auto all = tried("--tolerance 0.05");
+    ASSERT_GT(all.size(), 1u);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i]["rms"] <= 0.05, i + 1 == all.size()) << i;
+        EXPECT_GT(all[i]["control_points"], i == 0 ? 0 : all[i - 1]["control_points"].get<int>());
+    }
+    EXPECT_EQ(tried("").size(), 1u);
+    const auto few = tried("--tolerance 1e-9 --max-control 16");
+    EXPECT_EQ(few.size(), 2u);
+    EXPECT_LE(few.back()["control_points"], 20);
+    EXPECT_THAT(
+        Run("fit ball.obj -o out --model surface --control 12 --tolerance 1e-9 --max-control 12 --no-pictures").err,
+        HasSubstr("it is not met"));
+}
+
 TEST_F(CliFit, OpenTargetsGetACageWithAWord) {
     // Without the faces around one pole.
     std::istringstream ball(Ball(16));

@@ -50,6 +50,12 @@ Work AddFit(CLI::App& command) {
     command.add_option("--control", o.control, "about how many control points; default 400")
         ->option_text("N")
         ->check(CLI::Range(8, 100'000));
+    command
+        .add_option("--creases", o.creases,
+                    "of cages: edges of the target that bend by more degrees\nbecome creases; 0: none; default 50 for "
+                    "parts whose edges are\nsharp or not, none for scans")
+        ->option_text("D")
+        ->check(CLI::Range(0.0, 179.0));
     command.add_option("--levels", o.levels, "refinements of the solid in fitted.vtu; default 3")
         ->option_text("N")
         ->check(CLI::Range(0, 8));

@@ -12,10 +12,12 @@
 #include <solidsubdiv/apps/cli/fit_report.h>
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/refinement.h>
+#include <solidsubdiv/apps/fit/creases.h>
 #include <solidsubdiv/apps/fit/find_start.h>
 #include <solidsubdiv/apps/fit/fit_solid.h>
 #include <solidsubdiv/apps/fit/start.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
+#include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/formats.h>
 
 namespace SolidSubdiv::Cli {
@@ -33,6 +35,7 @@ Io::Mesh MeshOf(const Fit::ControlMesh& control) {
     mesh.topology.hexes = control.hexes;
     mesh.topology.triangles = control.triangles;
     mesh.topology.quads = control.quads;
+    Io::SetCreases(mesh, {control.crease_edges, control.crease_sharpness, {}, {}});
     return mesh;
 }
 
@@ -204,10 +207,16 @@ class FitCommand {
                           std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
                           ": parts are too thin for so few control points; try more (--control)");
         }
-        if (!is_solid_) problem_ = Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate);
+        Index n_creases = 0;
+        if (!is_solid_) {
+            const double degrees = options_.creases >= 0 ? options_.creases : Fit::SharpAngle(target_.Surface());
+            if (degrees > 0) n_creases = Fit::MarkCreases(mesh_, target_.Surface(), {.degrees = degrees});
+            problem_ = Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate);
+        }
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},
                             {"faces", (mesh_.triangles.size() / 3) + (mesh_.quads.size() / 4)},
+                            {"creases", n_creases},
                             {"components", report.n_components},
                             {"euler_characteristic", report.euler},
                             {"has_target_topology", report.has_target_topology}};

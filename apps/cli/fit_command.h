@@ -19,6 +19,7 @@ struct FitCommandOptions {
     SchemeOptions scheme;
     int control = 400;    ///< about so many control points
     int max_control = 0;  ///< where a tolerance is not met, more of them, up to so many; 0: four times `control`
+    double creases = -1;  ///< of cages, degrees; 0: none; -1: those of mechanical parts
     int levels = 3;       ///< of the refined solid that is written
     bool pictures = true;
     FitTargetOptions target;

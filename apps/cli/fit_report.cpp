@@ -70,6 +70,8 @@ std::string FitText(const FitSummary& s, const Json& json) {
     } else {
         text += ", " + Counted(json["control"]["faces"].get<long long>(), "face", "faces");
     }
+    const long long n_creases = json["control"].value("creases", 0LL);
+    if (n_creases > 0) text += ", " + Counted(n_creases, "crease", "creases");
     text += "; " + Counted(static_cast<long long>(s.result.rounds.size()), "round", "rounds") + ", stopped by " +
             s.result.stopped;
     char head[120];

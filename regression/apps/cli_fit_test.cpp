@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // solidsubdiv fit: what is written is what was found, and what can't be fitted is said.
+#include <array>
 #include <cmath>
+#include <map>
+
+#include <solidsubdiv/kit/io/creases.h>
 
 #include "apps/cli_testing.h"
 
@@ -31,6 +35,33 @@ std::string Ball(int n) {
         text << "f " << at(n - 1, j + 1) << " " << at(n - 1, j) << " " << 2 + (n - 1) * 2 * n << "\n";
     }
     return text.str();
+}
+
+/// A cube of n x n quads a side.
+std::string Cube(int n) {
+    std::map<std::array<int, 3>, std::size_t> numbers;
+    std::ostringstream vertices, faces;
+    const auto vertex = [&](const std::array<int, 3>& at) {
+        const auto found = numbers.try_emplace(at, numbers.size() + 1);
+        if (found.second) vertices << "v " << at[0] << " " << at[1] << " " << at[2] << "\n";
+        return found.first->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int side : {0, n}) {
+            for (int i = 0; i < n; ++i) {
+                for (int j = 0; j < n; ++j) {
+                    const auto at = [&](int a, int b) {
+                        std::array<int, 3> p{};
+                        p[axis] = side, p[(axis + 1) % 3] = i + (side > 0 ? a : b),
+                        p[(axis + 2) % 3] = j + (side > 0 ? b : a);
+                        return vertex(p);
+                    };
+                    faces << "f " << at(0, 0) << " " << at(1, 0) << " " << at(1, 1) << " " << at(0, 1) << "\n";
+                }
+            }
+        }
+    }
+    return vertices.str() + faces.str();
 }
 
 class CliFit : public CliTest {
@@ -104,6 +135,20 @@ TEST_F(CliFit, MoreControlPointsAreTakenUntilATolerance) {
     EXPECT_THAT(
         Run("fit ball.obj -o out --model surface --control 12 --tolerance 1e-9 --max-control 12 --no-pictures").err,
         HasSubstr("it is not met"));
+}
+
+TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
+    WriteText("cube.obj", Cube(8));
+    const auto with = Json("fit cube.obj -o with --model surface --control 50 --no-pictures");
+    const auto without = Json("fit cube.obj -o without --model surface --control 50 --creases 0 --no-pictures");
+    EXPECT_GE(with["control"]["creases"], 12);
+    EXPECT_EQ(without["control"]["creases"], 0);
+    for (const char* way : {"surface_to_target", "target_to_surface"}) {
+        EXPECT_LT(with["fit"][way]["max_percent"], 1) << way;
+        EXPECT_GT(without["fit"][way]["rms_percent"], 10 * with["fit"][way]["rms_percent"].get<double>()) << way;
+    }
+    const Io::Creases creases = Io::CreasesOf(Io::ReadMesh(folder / "with/cage.obj"));
+    EXPECT_EQ(creases.edge_sharpness.size(), with["control"]["creases"]);
 }
 
 TEST_F(CliFit, OpenTargetsGetACageWithAWord) {

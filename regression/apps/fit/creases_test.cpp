@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sharp edges of targets, and creases along them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <solidsubdiv/apps/fit/creases.h>
+#include <solidsubdiv/apps/fit/start.h>
+#include <solidsubdiv/sdc/errors.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "apps/fit/start_testing.h"
+
+namespace SolidSubdiv::Fit {
+namespace {
+
+/// The unit cube, each face of n x n squares cut in two, seams welded.
+Surface Cube(int n, double size = 1) {
+    Surface cube;
+    std::map<std::array<int, 3>, Index> numbers;
+    const auto vertex = [&](std::array<int, 3> at) {
+        const auto found = numbers.try_emplace(at, static_cast<Index>(numbers.size()));
+        if (found.second) {
+            for (int c : at) cube.points.push_back(size * c / n);
+        }
+        return found.first->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int side : {0, n}) {
+            for (int i = 0; i < n; ++i) {
+                for (int j = 0; j < n; ++j) {
+                    const auto at = [&](int a, int b) {
+                        std::array<int, 3> p{};
+                        p[axis] = side, p[(axis + 1) % 3] = i + a, p[(axis + 2) % 3] = j + b;
+                        return vertex(p);
+                    };
+                    std::array<Index, 4> f = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+                    if (side == 0) std::swap(f[1], f[3]);
+                    cube.triangles.insert(cube.triangles.end(), {f[0], f[1], f[2], f[0], f[2], f[3]});
+                }
+            }
+        }
+    }
+    return cube;
+}
+
+TEST(SharpEdges, OfACubeAreItsTwelveInAnyUnit) {
+    for (double size : {1e-9, 1.0, 1e9}) {
+        EXPECT_EQ(SharpEdges(Cube(4, size).View(), 50).size(), 2u * 12 * 4) << size;
+        EXPECT_EQ(SharpEdges(Cube(4, size).View(), 89).size(), 2u * 12 * 4) << size;
+        EXPECT_TRUE(SharpEdges(Cube(4, size).View(), 91).empty()) << size;
+    }
+}
+
+TEST(SharpEdges, DoNotDependOnTheOrderOfTriangles) {
+    Surface cube = Cube(3);
+    const std::vector<Index> edges = SharpEdges(cube.View(), 50);
+    std::reverse(cube.triangles.begin(), cube.triangles.end());  // looks inwards, too
+    EXPECT_EQ(SharpEdges(cube.View(), 50), edges);
+}
+
+TEST(SharpAngle, PartsHaveOneScansHaveNone) {
+    EXPECT_EQ(SharpAngle(Cube(4).View()), 50);
+    EXPECT_EQ(SharpAngle(SphereAt({0, 0, 0}, 1).View()), 0);
+    ASSERT_FALSE(SharpEdges(Bunny().View(), 50).empty());
+    EXPECT_EQ(SharpAngle(Bunny().View()), 0);
+}
+
+TEST(MarkCreases, AlongTheEdgesOfACube_AndNowhereElse) {
+    const Surface target = Cube(6);
+    const Surface coarse = Cube(2);
+    ControlMesh cage{.positions = coarse.points, .triangles = coarse.triangles};
+    EXPECT_EQ(MarkCreases(cage, target.View(), {}), 12 * 2);
+    ASSERT_EQ(cage.crease_edges.size(), 2u * 24);
+    EXPECT_THAT(cage.crease_sharpness, testing::Each(10.f));
+    for (std::size_t i = 0; i < cage.crease_edges.size(); i += 2) {
+        // Both ends have two coordinates of the cube's sides in common.
+        int n_common = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double a = cage.positions[3 * static_cast<std::size_t>(cage.crease_edges[i]) + c];
+            const double b = cage.positions[3 * static_cast<std::size_t>(cage.crease_edges[i + 1]) + c];
+            n_common += a == b && (a == 0 || a == 1);
+        }
+        EXPECT_EQ(n_common, 2) << i;
+    }
+    ControlMesh ball = MakeCage(SphereAt({0, 0, 0}, 1).View(), {.n_control = 40});
+    EXPECT_EQ(MarkCreases(ball, SphereAt({0, 0, 0}, 1).View(), {}), 0);
+}
+
+TEST(MarkCreases, OptionsOutOfRangeAreRefused) {
+    ControlMesh cage{.positions = Cube(1).points, .triangles = Cube(1).triangles};
+    for (double degrees : {0.0, 180.0, -1.0}) EXPECT_THROW(MarkCreases(cage, {}, {.degrees = degrees}), InvalidInput);
+    for (double near : {0.0, 2.0}) EXPECT_THROW(MarkCreases(cage, {}, {.near = near}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace SolidSubdiv::Fit

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // solidsubdiv fit: what is written is what was found, and what can't be fitted is said.
-#include <array>
 #include <cmath>
-#include <map>
 
 #include <solidsubdiv/kit/io/creases.h>
 
 #include "apps/cli_testing.h"
+#include "cube_surface.h"
 
 namespace SolidSubdiv::CliTesting {
 namespace {
@@ -39,29 +38,13 @@ std::string Ball(int n) {
 
 /// A cube of n x n quads a side.
 std::string Cube(int n) {
-    std::map<std::array<int, 3>, std::size_t> numbers;
-    std::ostringstream vertices, faces;
-    const auto vertex = [&](const std::array<int, 3>& at) {
-        const auto found = numbers.try_emplace(at, numbers.size() + 1);
-        if (found.second) vertices << "v " << at[0] << " " << at[1] << " " << at[2] << "\n";
-        return found.first->second;
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (int side : {0, n}) {
-            for (int i = 0; i < n; ++i) {
-                for (int j = 0; j < n; ++j) {
-                    const auto at = [&](int a, int b) {
-                        std::array<int, 3> p{};
-                        p[axis] = side, p[(axis + 1) % 3] = i + (side > 0 ? a : b),
-                        p[(axis + 2) % 3] = j + (side > 0 ? b : a);
-                        return vertex(p);
-                    };
-                    faces << "f " << at(0, 0) << " " << at(1, 0) << " " << at(1, 1) << " " << at(0, 1) << "\n";
-                }
-            }
-        }
+    const CubeSurface cube(n);
+    std::ostringstream text;
+    for (const auto& v : cube.vertices) text << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
+    for (const auto& q : cube.quads) {
+        text << "f " << q[0] + 1 << " " << q[1] + 1 << " " << q[2] + 1 << " " << q[3] + 1 << "\n";
     }
-    return vertices.str() + faces.str();
+    return text.str();
 }
 
 class CliFit : public CliTest {

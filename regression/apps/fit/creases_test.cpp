@@ -8,40 +8,22 @@
 #include <solidsubdiv/sdc/errors.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 
 #include "apps/fit/start_testing.h"
+#include "cube_surface.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
 
-/// The unit cube, each face of n x n squares cut in two, seams welded.
+/// The unit cube, each face of n x n squares cut in two.
 Surface Cube(int n, double size = 1) {
+    const CubeSurface of_quads(n);
     Surface cube;
-    std::map<std::array<int, 3>, Index> numbers;
-    const auto vertex = [&](std::array<int, 3> at) {
-        const auto found = numbers.try_emplace(at, static_cast<Index>(numbers.size()));
-        if (found.second) {
-            for (int c : at) cube.points.push_back(size * c / n);
-        }
-        return found.first->second;
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (int side : {0, n}) {
-            for (int i = 0; i < n; ++i) {
-                for (int j = 0; j < n; ++j) {
-                    const auto at = [&](int a, int b) {
-                        std::array<int, 3> p{};
-                        p[axis] = side, p[(axis + 1) % 3] = i + a, p[(axis + 2) % 3] = j + b;
-                        return vertex(p);
-                    };
-                    std::array<Index, 4> f = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
-                    if (side == 0) std::swap(f[1], f[3]);
-                    cube.triangles.insert(cube.triangles.end(), {f[0], f[1], f[2], f[0], f[2], f[3]});
-                }
-            }
-        }
+    for (const auto& v : of_quads.vertices) {
+        for (int c : v) cube.points.push_back(size * c / n);
+    }
+    for (const auto& q : of_quads.quads) {
+        cube.triangles.insert(cube.triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
     }
     return cube;
 }

@@ -17,9 +17,10 @@
 //         `robust` is given, count less (Geman and McClure's weights, found anew each round)
 //   + fairness * mean over control points of |p - sum of w_j p_j|^2, weights that reproduce the start's neighbourhood:
 //         it is 0 for all affine maps of the start
-//   + barrier * sum over corners of cells of 1 / chi^2, chi the scaled Jacobian where that is well above 0, and
-//   smoothly
-//         less, never 0, where cells are flat or folded
+//   + barrier * sum over corners of cells of (1 / chi(q) - 1 / chi(e))^2 where q < e: q is a scaled Jacobian, chi(q)
+//   the
+//         same where it is well above 0, smoothly less, never 0, where cells are flat or folded; e is 1 on the way, and
+//         half of what q was at the start when fairness is least
 // Fairness begins high and is halved each round: large movements first, then details. The barrier is made ten times
 // higher as long as corners are folded where rounds come to an end. Without cells, or without a barrier, all is linear
 // least squares; with it Ceres' L-BFGS walks downhill.

@@ -15,7 +15,7 @@ namespace SolidSubdiv::Fit::Internal {
 struct StepSettings {
     const Problem& problem;
     const Far::StencilRows<double>& fair_rows;  ///< of internal/fairness.h
-    std::span<const double> enough;             ///< of each corner: the scaled Jacobian below which the barrier is
+    std::span<const double> enough;             ///< of each corner: the scaled Jacobian at which the barrier ends
     double barrier = 0;
     double across = 0;
 };

@@ -105,8 +105,8 @@ Work AddFit(CLI::App& command) {
         "  solidsubdiv fit bunny.obj -o cage --model surface --scheme loop --control 200 --json -\n"
         "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3\n"
         "  solidsubdiv fit deformed.obj -o carried --template bunny.obj --control 200\n"
-        "  solidsubdiv fit labels.nii.gz -o caudate --label 1 --control 200\n"
-        "  solidsubdiv fit scan.xyz -o fitted --robust 3");
+        "  solidsubdiv fit labels.nii.gz -o caudate --label 1 --control 100\n"
+        "  solidsubdiv fit scan.xyz -o fitted --robust 3 --control 100");
     return [options](Session& session) { RunFit(*options, session); };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program's manners: exit status, help whose examples run, errors of one line, nothing half-written.
+#include <cmath>
 #include <regex>
 #include <set>
 
@@ -54,6 +55,13 @@ TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
     commands.insert(commands.begin(), "");
     MustRun("sample lattice.vtu -o bunny.obj --rate 2");
     WriteText("ears.txt", "0 0.1 0.2 0.1\n");
+    fs::copy_file(fs::path(SOLIDSUBDIV_SHAPES) / "volumes" / "caudate_labels.nii.gz", folder / "labels.nii.gz");
+    std::ostringstream scan;
+    for (int i = 0; i < 800; ++i) {  // along a spiral around a ball
+        const double z = (i + 0.5) / 400 - 1, r = std::sqrt(1 - z * z);
+        scan << r * std::cos(2.4 * i) << " " << r * std::sin(2.4 * i) << " " << z << "\n";
+    }
+    WriteText("scan.xyz", scan.str());
     for (const std::string moved : {"moved", "walk1", "walk2", "walk3"}) {
         MustRun("lattice bunny.obj -o " + moved + ".vtu --levels 1");
     }

@@ -20,7 +20,7 @@ Surface Cube(int n, double size = 1) {
     const CubeSurface of_quads(n);
     Surface cube;
     for (const auto& v : of_quads.vertices) {
-        for (int c : v) cube.points.push_back(size * c / n);
+        for (int c : v) cube.positions.push_back(size * c / n);
     }
     for (const auto& q : of_quads.quads) {
         cube.triangles.insert(cube.triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
@@ -53,7 +53,7 @@ TEST(SharpAngle, PartsHaveOneScansHaveNone) {
 TEST(MarkCreases, AlongTheEdgesOfACube_AndNowhereElse) {
     const Surface target = Cube(6);
     const Surface coarse = Cube(2);
-    ControlMesh cage{.positions = coarse.points, .triangles = coarse.triangles};
+    ControlMesh cage{.positions = coarse.positions, .triangles = coarse.triangles};
     EXPECT_EQ(MarkCreases(cage, target.View(), {}), 12 * 2);
     ASSERT_EQ(cage.crease_edges.size(), 2u * 24);
     EXPECT_THAT(cage.crease_sharpness, testing::Each(10.f));
@@ -72,7 +72,7 @@ TEST(MarkCreases, AlongTheEdgesOfACube_AndNowhereElse) {
 }
 
 TEST(MarkCreases, OptionsOutOfRangeAreRefused) {
-    ControlMesh cage{.positions = Cube(1).points, .triangles = Cube(1).triangles};
+    ControlMesh cage{.positions = Cube(1).positions, .triangles = Cube(1).triangles};
     for (double degrees : {0.0, 180.0, -1.0}) EXPECT_THROW(MarkCreases(cage, {}, {.degrees = degrees}), InvalidInput);
     for (double near : {0.0, 2.0}) EXPECT_THROW(MarkCreases(cage, {}, {.near = near}), InvalidInput);
 }

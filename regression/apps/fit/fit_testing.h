@@ -10,17 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "apps/fit/surface_testing.h"
 #include "polyhedral_shapes.h"
 
 namespace SolidSubdiv::Fit {
-
-/// A surface that owns its arrays.
-struct Surface {
-    std::vector<double> positions;
-    std::vector<Index> triangles;
-
-    TargetSurface View() const { return {.positions = positions, .triangles = triangles}; }
-};
 
 inline void Map(std::vector<double>& positions, const std::function<std::array<double, 3>(std::array<double, 3>)>& f) {
     for (std::size_t i = 0; i < positions.size(); i += 3) {

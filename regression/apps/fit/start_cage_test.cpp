@@ -13,10 +13,10 @@ namespace {
 
 /// A sphere without the triangles around two of its poles.
 Surface Tube() {
-    Surface s = SphereAt({0, 0, 0}, 1), tube{s.points, {}};
+    Surface s = SphereAt({0, 0, 0}, 1), tube{s.positions, {}};
     for (std::size_t t = 0; t < s.triangles.size(); t += 3) {
         double z = 0;
-        for (std::size_t k = 0; k < 3; ++k) z += s.points[3 * static_cast<std::size_t>(s.triangles[t + k]) + 2] / 3;
+        for (std::size_t k = 0; k < 3; ++k) z += s.positions[3 * static_cast<std::size_t>(s.triangles[t + k]) + 2] / 3;
         if (std::abs(z) > .8) continue;
         tube.triangles.insert(tube.triangles.end(), &s.triangles[t], &s.triangles[t] + 3);
     }
@@ -32,7 +32,7 @@ TEST(Cage, KeepsComponentsHandlesAndBorders) {
     };
     for (const Case& c : {Case{"torus", Torus(30)}, Case{"two", two}, Case{"tube", Tube()}, Case{"bunny", Bunny()}}) {
         const auto wanted =
-            Geometry::SurfaceComponents(c.target.triangles, static_cast<Index>(c.target.points.size() / 3));
+            Geometry::SurfaceComponents(c.target.triangles, static_cast<Index>(c.target.positions.size() / 3));
         StartReport report;
         const ControlMesh cage = MakeCage(c.target.View(), {.n_control = 120}, &report);
         const auto made = BoundaryOf(cage);
@@ -83,9 +83,9 @@ TEST(Cage, BadTargetsAreNamed) {
     };
     EXPECT_THAT(message_of(Tube(), {.quads = true}), testing::HasSubstr("the target is open"));
     Surface fins = SphereAt({0, 0, 0}, 1);
-    fins.points.insert(fins.points.end(), {3, 3, 3});
+    fins.positions.insert(fins.positions.end(), {3, 3, 3});
     fins.triangles.insert(fins.triangles.end(),
-                          {fins.triangles[0], fins.triangles[1], static_cast<Index>(fins.points.size() / 3) - 1});
+                          {fins.triangles[0], fins.triangles[1], static_cast<Index>(fins.positions.size() / 3) - 1});
     EXPECT_THAT(message_of(fins, {}), testing::HasSubstr("no oriented manifold: 1 edges of more than two triangles"));
     Surface turned = SphereAt({0, 0, 0}, 1);
     std::swap(turned.triangles[0], turned.triangles[1]);
@@ -98,7 +98,7 @@ TEST(CloudStart, IsOneClosedPieceOfAboutAsManyControlPoints) {
     Surface cloud;
     for (int i = 0; i < 500; ++i) {
         const double x = 3 * random.Uniform(), y = random.Uniform(), z = random.Uniform();
-        cloud.points.insert(cloud.points.end(), {x - .5 * y, y + .5 * x, z});
+        cloud.positions.insert(cloud.positions.end(), {x - .5 * y, y + .5 * x, z});
     }
     for (bool is_solid : {true, false}) {
         StartReport report;

@@ -80,7 +80,7 @@ TEST(SolidStart, DoesNotDependOnTheUnit) {
     const ControlMesh mesh = MakeSolidStart(torus.View(), {.n_control = 250});
     for (double unit : {std::ldexp(1., -30), std::ldexp(1., 30)}) {
         Surface scaled = torus;
-        for (double& x : scaled.points) x *= unit;
+        for (double& x : scaled.positions) x *= unit;
         ControlMesh other = MakeSolidStart(scaled.View(), {.n_control = 250});
         for (double& x : other.positions) x /= unit;
         EXPECT_EQ(other.hexes, mesh.hexes) << unit;
@@ -130,10 +130,10 @@ TEST(SolidStart, BadTargetsAreNamed) {
     twice.triangles[0] = twice.triangles[1];
     EXPECT_THAT(MessageOf(twice), HasSubstr("triangle 0 of the target has point"));
     Surface nan = SphereAt({0, 0, 0}, 1);
-    nan.points[4] = std::nan("");
+    nan.positions[4] = std::nan("");
     EXPECT_THAT(MessageOf(nan), HasSubstr("point 1 of the target has the coordinate nan"));
     Surface flat = SphereAt({0, 0, 0}, 1);
-    for (std::size_t i = 2; i < flat.points.size(); i += 3) flat.points[i] = 0;
+    for (std::size_t i = 2; i < flat.positions.size(); i += 3) flat.positions[i] = 0;
     EXPECT_THAT(MessageOf(flat), HasSubstr("encloses nothing"));
     EXPECT_THAT(MessageOf(SphereAt({0, 0, 0}, 1), {.n_control = 7}), HasSubstr("n_control is 7"));
 }

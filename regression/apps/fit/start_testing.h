@@ -13,26 +13,9 @@
 #include <vector>
 
 #include "apps/deform/sphere_testing.h"
+#include "apps/fit/surface_testing.h"
 
 namespace SolidSubdiv::Fit {
-
-/// A surface that owns its arrays.
-struct Surface {
-    std::vector<double> points;
-    std::vector<Index> triangles;
-
-    TargetSurface View() const { return {.positions = points, .triangles = triangles, .normals = {}}; }
-    void Add(const Surface& other) {
-        const auto first = static_cast<Index>(points.size() / 3);
-        points.insert(points.end(), other.points.begin(), other.points.end());
-        for (Index v : other.triangles) triangles.push_back(first + v);
-    }
-    Surface InsideOut() const {
-        Surface turned = *this;
-        for (std::size_t t = 0; t < triangles.size(); t += 3) std::swap(turned.triangles[t], turned.triangles[t + 1]);
-        return turned;
-    }
-};
 
 inline Surface SphereAt(const std::array<double, 3>& center, double radius) {
     const TestShapes::Sphere sphere(12, radius, center);
@@ -46,7 +29,7 @@ inline Surface Torus(int n, double tube = .6) {
         for (int j = 0; j < n; ++j) {
             const double a = 2 * 3.14159265358979323846 * i / n, b = 2 * 3.14159265358979323846 * j / n;
             const double r = 2 + tube * std::cos(b), x = r * std::cos(a), y = r * std::sin(a), z = tube * std::sin(b);
-            s.points.insert(s.points.end(), {x, y - .3 * z, z + .3 * y});
+            s.positions.insert(s.positions.end(), {x, y - .3 * z, z + .3 * y});
             const auto id = [&](int u, int v) { return static_cast<Index>(u % n * n + v % n); };
             s.triangles.insert(s.triangles.end(), {id(i, j), id(i + 1, j), id(i + 1, j + 1)});
             s.triangles.insert(s.triangles.end(), {id(i, j), id(i + 1, j + 1), id(i, j + 1)});
@@ -63,7 +46,7 @@ inline Surface Bunny() {
         if (word == "v") {
             double x, y, z;
             file >> x >> y >> z;
-            s.points.insert(s.points.end(), {x, y, z});
+            s.positions.insert(s.positions.end(), {x, y, z});
         } else if (word == "f") {
             for (int k = 0; k < 3; ++k) {
                 file >> word;

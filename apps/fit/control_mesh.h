@@ -44,6 +44,10 @@ struct TargetSurface {
     std::span<const double> positions{};  ///< (n, 3)
     std::span<const Index> triangles{};   ///< (n, 3), counterclockwise from outside; empty: points alone
     std::span<const double> normals{};    ///< (n, 3) of length 1, or empty; of points alone
+
+    /// @throws InvalidInput where there is no point, a coordinate is not finite or beyond 1e75, all points are within
+    /// 1e-75, a triangle names a point that is not there or one twice, or normals are not one a point
+    void Validate() const;
 };
 
 }  // namespace SolidSubdiv::Fit

@@ -143,7 +143,7 @@ void Problem::Validate() const {
         fail(std::to_string(partners.size() / 3) + " partners for " + std::to_string(surface.rows.n_rows()) +
              " vertices of the surface");
     }
-    if (partners.empty() && target.positions.size() < 3) fail("the target is empty");
+    if (partners.empty() || !target.positions.empty()) target.Validate();
 }
 
 }  // namespace SolidSubdiv::Fit

@@ -52,7 +52,10 @@ std::vector<Candidate> MakeBlockStarts(const TargetShape& shape, BlockMeshKind k
     // Some ten voxels and more across a cube; prefix sums count with 32 bits.
     const int n_voxels = options.n_control <= 2000 ? 128 : 256;
     const InsideGrid grid(shape.positions, shape.triangles, n_voxels, !shape.IsOriented());
-    if (grid.IsEmpty()) throw InvalidInput("the target encloses nothing");
+    if (grid.IsEmpty()) {
+        throw InvalidInput("the target encloses nothing that is thicker than 1/" + std::to_string(n_voxels) +
+                           " of its longest side");
+    }
     const SolidTopology topology = shape.Topology();
     const auto count = [kind](const Blocks& blocks) { return CountControlPoints(blocks, kind); };
     const Geometry::ClosestPoints target(shape.positions, shape.triangles);

@@ -255,6 +255,16 @@ TEST(FitControlPoints, WhatMakesNoSenseIsRefused) {
     };
     EXPECT_EQ(error_of([](Problem&, Options&) {}), "no error");
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.target = {}; }), HasSubstr("target is empty"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) {
+                    static const std::vector<Index> unknown{0, 1, 999};
+                    p.target.triangles = unknown;
+                }),
+                HasSubstr("names point 999"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) {
+                    static const std::vector<double> one{0, 0, 1};
+                    p.target.normals = one;
+                }),
+                HasSubstr("1 normals for"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.control[4] = NAN; }), HasSubstr("not finite"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.control.resize(9); }), HasSubstr("control points"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.locked = {99}; }), HasSubstr("locked names control point 99"));

@@ -132,9 +132,12 @@ TEST(SolidStart, BadTargetsAreNamed) {
     Surface nan = SphereAt({0, 0, 0}, 1);
     nan.positions[4] = std::nan("");
     EXPECT_THAT(MessageOf(nan), HasSubstr("point 1 of the target has the coordinate nan"));
+    EXPECT_THAT(MessageOf(SphereAt({0, 0, 0}, 1e76)), HasSubstr("e+75; must be finite and at most 1e75"));
+    EXPECT_THAT(MessageOf(SphereAt({0, 0, 0}, 1e-160)), HasSubstr("within 1e-75"));
+    EXPECT_THAT(MessageOf(SphereAt({1, 0, 0}, 0)), HasSubstr("all at one place"));
     Surface flat = SphereAt({0, 0, 0}, 1);
     for (std::size_t i = 2; i < flat.positions.size(); i += 3) flat.positions[i] = 0;
-    EXPECT_THAT(MessageOf(flat), HasSubstr("encloses nothing"));
+    EXPECT_THAT(MessageOf(flat), HasSubstr("encloses nothing that is thicker than 1/128"));
     EXPECT_THAT(MessageOf(SphereAt({0, 0, 0}, 1), {.n_control = 7}), HasSubstr("n_control is 7"));
 }
 

@@ -36,38 +36,19 @@ std::vector<double> VolumesOf(std::span<const double> positions, std::span<const
 }  // namespace
 
 TargetShape::TargetShape(const TargetSurface& target) : triangles(target.triangles.begin(), target.triangles.end()) {
-    if (target.positions.size() < 3) throw InvalidInput("the target is empty: it has no points");
-    constexpr double kMost = 1e75;  // squares of squares must fit a double
-    for (std::size_t i = 0; i < target.positions.size(); ++i) {
-        if (!(std::abs(target.positions[i]) <= kMost)) {
-            throw InvalidInput("point " + std::to_string(i / 3) + " of the target has the coordinate " +
-                               std::to_string(target.positions[i]) + "; must be finite and at most 1e75");
-        }
-    }
-    const auto n_points = static_cast<Index>(target.positions.size() / 3);
-    for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        const Index a = triangles[t], b = triangles[t + 1], c = triangles[t + 2];
-        for (Index v : {a, b, c}) {
-            if (v >= 0 && v < n_points) continue;
-            throw InvalidInput("triangle " + std::to_string(t / 3) + " of the target names point " + std::to_string(v) +
-                               "; there are " + std::to_string(n_points));
-        }
-        if (a == b || b == c || c == a) {
-            throw InvalidInput("triangle " + std::to_string(t / 3) + " of the target has point " +
-                               std::to_string(a == b ? a : c) + " twice");
-        }
-    }
+    target.Validate();
     positions.assign(target.positions.begin(), target.positions.end());
     if (!triangles.empty()) {
         // Points that no triangle has are no part of a surface.
-        Geometry::CompactSurface surface = Geometry::MakeCompactSurface(triangles, n_points);
+        Geometry::CompactSurface surface =
+            Geometry::MakeCompactSurface(triangles, static_cast<Index>(positions.size() / 3));
         positions = Geometry::GatherRows(target.positions, 3, surface.vertices);
         triangles = std::move(surface.corners);
     }
     const Geometry::Box box = Geometry::BoundingBox(positions);
     middle = {.5 * (box.low[0] + box.high[0]), .5 * (box.low[1] + box.high[1]), .5 * (box.low[2] + box.high[2])};
     scale = std::max({box.Extent(0), box.Extent(1), box.Extent(2)});
-    if (!(scale > 0)) throw InvalidInput("the points of the target are all at one place");
+    if (!(scale > 0)) throw InvalidInput("the triangles of the target are all at one place");
     const auto n_used = static_cast<Index>(positions.size() / 3);
     for (Index v = 0; v < n_used; ++v) SetPoint(positions, v, 1 / scale * (PointAt(positions, v) - middle));
     components = Geometry::SurfaceComponents(triangles, n_used);

@@ -89,6 +89,18 @@ Work AddFit(CLI::App& command) {
                     "default 0: all count alike")
         ->option_text("R")
         ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--normals", o.fit.normals,
+                    "how much normals count beside distances: 1e-5 to 1e-3 for points\nthat are few and have normals; "
+                    "default 0")
+        ->option_text("W")
+        ->check(CLI::Range(0.0, 1e6));
+    command
+        .add_option("--spring", o.fit.spring,
+                    "how strongly control points of a cell attract each other, which\nkeeps those in place that no "
+                    "data reach; default 0")
+        ->option_text("S")
+        ->check(CLI::Range(0.0, 1e6));
     AddSchemeOptions(command, o.scheme);
 #ifdef SOLIDSUBDIV_HAS_PICTURES
     command.add_flag("!--no-pictures", o.pictures, "leave out pictures and report.html");

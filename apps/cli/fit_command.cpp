@@ -145,6 +145,8 @@ class FitCommand {
                              {"tolerance", options_.fit.tolerance},
                              {"fairness", options_.fit.least_fairness},
                              {"robust", options_.fit.robust},
+                             {"normals", options_.fit.normals},
+                             {"spring", options_.fit.spring},
                              {"threads", Sdc::ThreadCount()}};
         for (const auto& option : OptionValues(scheme, choice_->scheme))
             json_["settings"][option.first] = option.second;
@@ -211,7 +213,8 @@ class FitCommand {
         if (!is_solid_) {
             const double degrees = options_.creases >= 0 ? options_.creases : Fit::SharpAngle(target_.Surface());
             if (degrees > 0) n_creases = Fit::MarkCreases(mesh_, target_.Surface(), {.degrees = degrees});
-            problem_ = Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate);
+            problem_ =
+                Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate, options_.fit.normals > 0);
         }
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #ifdef SOLIDSUBDIV_HAS_PICTURES
 #include <solidsubdiv/kit/picture/cut.h>
@@ -51,6 +52,7 @@ Json FitJson(const FitSummary& s) {
     json["folded_corners"] = s.result.n_folded;
     json["surface_to_target"] = DistanceJson(s.result.to_target, s.diagonal);
     json["target_to_surface"] = DistanceJson(s.result.from_target, s.diagonal);
+    json["normals_rms_degrees"] = s.result.normal_rms * 180 / std::numbers::pi;
     json["hausdorff"] = std::max(s.result.to_target.most, s.result.from_target.most);
     for (const Fit::Round& r : s.result.rounds) {
         json["rounds"].push_back({{"fairness", r.fairness},

@@ -9,6 +9,7 @@
 #include <solidsubdiv/apps/fit/internal/cell_volumes.h>
 #include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
+#include <solidsubdiv/apps/fit/internal/more_rows.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
 #include <solidsubdiv/apps/fit/internal/step.h>
 #include <solidsubdiv/kit/geometry/box.h>
@@ -100,7 +101,9 @@ void Measure(const Problem& problem, Result& result) {
     const Geometry::ClosestPoints on_surface(result.vertices, surface.triangles);
     result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target);
     result.from_target = MeasureDistance(target.positions, target.triangles, on_surface);
-    result.to_target_distances = DistancesOf(result.vertices, on_target);
+    const auto nearest = on_target.Find(result.vertices);
+    for (const Geometry::ClosestPoint& p : nearest) result.to_target_distances.push_back(p.distance);
+    result.normal_rms = NormalRms(result.vertices, surface.triangles, target, nearest);
     result.from_target_distances = DistancesOf(target.positions, on_surface);
 }
 
@@ -119,6 +122,8 @@ void Options::Validate() const {
     RequireRange("least_fairness", least_fairness, 0, 1e12);
     RequireRange("barrier", barrier, 0, 1e12);
     RequireRange("across", across, 0, 1);
+    RequireRange("normals", normals, 0, 1e12);
+    RequireRange("spring", spring, 0, 1e12);
     RequireRange("robust", robust, 0, 1e6);
     RequireRange("points_per_control", points_per_control, 1, 1e6);
     RequireRange("tolerance", tolerance, 0, 1e75);
@@ -128,6 +133,10 @@ void Options::Validate() const {
 Result FitControlPoints(const Problem& problem, const Options& options) {
     options.Validate();
     problem.Validate();
+    if (options.normals > 0 && problem.surface.tangent_vertices.empty()) {
+        throw InvalidInput("fit: normals is " + std::to_string(options.normals) +
+                           ", but the surface has no tangents (MakeProblem, with_tangents)");
+    }
     const Frame frame = FrameOf(problem.partners.empty() ? problem.target.positions : problem.partners);
     const std::vector<double> target = frame.To(problem.target.positions);
     Problem scaled = problem;
@@ -143,6 +152,8 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
     const std::vector<double> enough = EnoughOf(scaled), best(enough.size(), 1.0);
     const PairFinder finder(scaled, most_points);
     StepSettings settings{scaled, fair_rows, best, options.barrier, options.across};
+    std::vector<LinearBlock::Row> springs;
+    if (options.spring > 0) AddSpringRows(scaled.neighbors, options.spring, springs);
 
     Result result;
     std::vector<double>& control = scaled.control;
@@ -181,6 +192,13 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
             if (is_least_fair) settings.enough = enough;
             was_least_fair = is_least_fair;
             if (result.stopped == "rounds") {
+                std::vector<LinearBlock::Row> more = springs;
+                if (options.normals > 0) {
+                    // Directions are worth something once places are about right: before, they keep parts from turning.
+                    const double part = std::max(1.0, widening * widening);
+                    AddTangentRows(scaled.surface, of_surface, control, options.normals / part, more);
+                }
+                settings.more = more;
                 const StepReport report = SolveStep(settings, pairs, fairness, control);
                 Mirror(scaled, control);
                 round.steps = report.steps;

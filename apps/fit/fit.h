@@ -15,18 +15,20 @@
 //     sum over both ways of the mean of |M d|^2, d from a point to its nearest, where M leaves what is along the
 //         target's normal and takes most of what is across (points may slide along the surface), and far points, where
 //         `robust` is given, count less (Geman and McClure's weights, found anew each round)
+//   + normals * mean over the surface's vertices of the squared cosines of the angles between the target's normal there
+//         and the surface's tangents: 0 where the surface lies along the target; less as long as fairness is high
 //   + fairness * mean over control points of |p - sum of w_j p_j|^2, weights that reproduce the start's neighbourhood:
 //         it is 0 for all affine maps of the start
+//   + spring * mean over pairs of neighbouring control points of |p - q|^2
 //   + barrier * sum over corners of cells of (1 / chi(q) - 1 / chi(e))^2 where q < e: q is a scaled Jacobian, chi(q)
-//   the
-//         same where it is well above 0, smoothly less, never 0, where cells are flat or folded; e is 1 on the way, and
-//         half of what q was at the start when fairness is least
+//         the same where it is well above 0, smoothly less, never 0, where cells are flat or folded; e is 1 on the way,
+//         and half of what q was at the start when fairness is least
 // Fairness begins high and is halved each round: large movements first, then details. The barrier is made ten times
 // higher as long as corners are folded where rounds come to an end. Without cells, or without a barrier, all is linear
 // least squares; with it Ceres' L-BFGS walks downhill.
 //
 // Source: distances along normals: chen1991modelling; subdivision surfaces fitted by nearest points and linear
-// least-squares in turns: hoppe1994piecewise.
+// least-squares in turns, and springs: hoppe1994piecewise.
 #pragma once
 
 #include <array>
@@ -46,6 +48,10 @@ namespace SolidSubdiv::Fit {
 struct MovingSurface {
     Far::StencilRows<double> rows;  ///< (n_vertices) over control points
     std::vector<Index> triangles;   ///< (n, 3) of its vertices, counterclockwise from outside
+    /// Two that span the tangent plane of a vertex, over control points; a vertex may have several of them. None: its
+    /// normals can't be fitted.
+    std::array<Far::StencilRows<double>, 2> tangents{};
+    std::vector<Index> tangent_vertices{};  ///< of each row of tangents
 
     std::vector<double> Positions(std::span<const double> control) const;
 };
@@ -73,10 +79,10 @@ struct Problem {
 };
 
 /// The limit of a control mesh's boundary (of a cage: of itself) as the surface, each edge of a face cut in `rate`, and
-/// in `fine_rate` for the result (0: in as many).
+/// in `fine_rate` for the result (0: in as many). With tangents, so that its normals can be fitted.
 /// @throws InvalidInput where the scheme can't refine the mesh
 Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate = 4,
-                    int fine_rate = 0);
+                    int fine_rate = 0, bool with_tangents = false);
 
 /// A lattice whose deformation carries a model: the surface is the model, embedded in the lattice refined `levels`
 /// times.
@@ -95,6 +101,8 @@ struct Options {
     double least_fairness = 1e-4;  ///< >= 0
     double barrier = 1e-10;        ///< >= 0
     double across = 1e-3;          ///< [0, 1]: how much of a distance across the normal counts; 1: as much as along
+    double normals = 0;            ///< >= 0: at 1e-4 ten degrees off count as much as 0.2 % of the diagonal
+    double spring = 0;             ///< >= 0
     double robust = 0;             ///< >= 0: distances, in medians, at which points begin to count less; 0: never
     int points_per_control =
         24;                      ///< >= 1: of the target's points so many a control point are paired, if there are more
@@ -121,6 +129,7 @@ struct Result {
     std::vector<double> vertices, to_target_distances, from_target_distances;
     std::vector<Round> rounds;
     Geometry::DistanceSummary to_target, from_target;
+    double normal_rms = 0;      ///< radians: between normals of the surface's vertices and the target's nearest to them
     int n_folded = 0;           ///< corners of cells of no positive volume
     std::string stopped;        ///< why: "tolerance", "change", "rounds", "cancelled"
     std::string linear_solver;  ///< Ceres' name of it

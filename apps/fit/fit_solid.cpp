@@ -72,7 +72,7 @@ SolidFit FitSolid(const ControlMesh& start, const Sdc::Scheme& scheme, const Tar
                   const Options& options, int rate, int fine_rate) {
     if (!start.is_solid()) throw InvalidInput("fit: there are no cells to keep from folding");
     constexpr int kMostFits = 5;
-    SolidFit fit{.problem = MakeProblem(start, scheme, target, rate, fine_rate), .result = {}};
+    SolidFit fit{.problem = MakeProblem(start, scheme, target, rate, fine_rate, options.normals > 0), .result = {}};
     const std::size_t n_hex_corners = start.hexes.size(), n_tets = start.tets.size() / 4;
     const auto corners_of = [&](Index cell) -> std::pair<std::size_t, std::size_t> {
         const auto c = static_cast<std::size_t>(cell);

@@ -69,21 +69,23 @@ std::vector<double> MovingSurface::Positions(std::span<const double> control) co
 }
 
 Problem MakeProblem(const ControlMesh& mesh, const Sdc::Scheme& scheme, const TargetSurface& target, int rate,
-                    int fine_rate) {
+                    int fine_rate, bool with_tangents) {
     const Far::TopologyDescriptor topology = mesh.View();
     const bool is_polyhedral = !mesh.hexes.empty() || !mesh.quads.empty() || !Sdc::Takes(scheme, Sdc::Split::TetOct);
     const auto refiner =
         Far::TopologyRefiner::Create(topology, is_polyhedral ? Sdc::Split::Polyhedral : Sdc::Split::TetOct);
-    const auto surface_at = [&](int facets) {
-        Geometry::Tessellation t = Geometry::TessellateBoundary(refiner, scheme, {.rate = facets, .normals = false});
-        return MovingSurface{std::move(t.rows), std::move(t.triangles)};
+    const auto surface_at = [&](int facets, bool has_tangents) {
+        Geometry::Tessellation t =
+            Geometry::TessellateBoundary(refiner, scheme, {.rate = facets, .normals = has_tangents});
+        return MovingSurface{std::move(t.rows), std::move(t.triangles), std::move(t.tangents),
+                             std::move(t.tangent_vertices)};
     };
-    Problem problem{.surface = surface_at(rate),
+    Problem problem{.surface = surface_at(rate, with_tangents),
                     .target = target,
                     .control = mesh.positions,
                     .neighbors = NeighborsOf(mesh),
                     .corners = Internal::CellCornersOf(mesh)};
-    if (fine_rate > 0 && fine_rate != rate) problem.fine = surface_at(fine_rate);
+    if (fine_rate > 0 && fine_rate != rate) problem.fine = surface_at(fine_rate, false);
     return problem;
 }
 
@@ -113,6 +115,12 @@ void Problem::Validate() const {
     if (static_cast<std::size_t>(surface.rows.n_sources) != n) {
         fail("the surface is of " + std::to_string(surface.rows.n_sources) + " control points; there are " +
              std::to_string(n));
+    }
+    for (const auto& rows : surface.tangents) {
+        if (static_cast<std::size_t>(rows.n_rows()) != surface.tangent_vertices.size()) {
+            fail(std::to_string(rows.n_rows()) + " tangents for " + std::to_string(surface.tangent_vertices.size()) +
+                 " vertices");
+        }
     }
     for (double x : control) {
         if (!std::isfinite(x)) fail("a control point is not finite");

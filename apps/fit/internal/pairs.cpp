@@ -64,7 +64,33 @@ void CountFarLess(std::span<Pair> pairs, double robust) {
     }
 }
 
+/// Of length 1, or 0.
+Vec3 NormalOf(const TargetSurface& t, Index element) {
+    Vec3 n{};
+    if (!t.triangles.empty()) {
+        n = AreaNormal(t.positions, &t.triangles[3 * static_cast<std::size_t>(element)]);
+    } else if (!t.normals.empty()) {
+        n = PointAt(t.normals, element);
+    }
+    return Unit(n);
+}
+
 }  // namespace
+
+double NormalRms(std::span<const double> vertices, std::span<const Index> triangles, const TargetSurface& target,
+                 std::span<const Geometry::ClosestPoint> nearest) {
+    const std::vector<Vec3> normals = VertexNormals(vertices, triangles);
+    const std::vector<double> areas = VertexAreas(vertices, triangles);
+    double sum = 0, whole = 0;
+    for (std::size_t v = 0; v < areas.size(); ++v) {
+        const Vec3 n = NormalOf(target, nearest[v].element), own = Unit(normals[v]);
+        if (Length(n) == 0 || Length(own) == 0) continue;
+        const double angle = std::atan2(Length(Cross(own, n)), Dot(own, n));
+        sum += areas[v] * angle * angle;
+        whole += areas[v];
+    }
+    return whole > 0 ? std::sqrt(sum / whole) : 0;
+}
 
 PairFinder::PairFinder(const Problem& problem, Offset most_points) : problem_(problem) {
     if (!problem.partners.empty()) return;
@@ -107,17 +133,6 @@ void PairFinder::FindPoints(Offset most_points) {
     for (double& area : points_.areas) area /= whole;
 }
 
-Vec3 PairFinder::TargetNormal(Index element) const {
-    const TargetSurface& t = problem_.target;
-    Vec3 n{};
-    if (!t.triangles.empty()) {
-        n = AreaNormal(t.positions, &t.triangles[3 * static_cast<std::size_t>(element)]);
-    } else if (!t.normals.empty()) {
-        n = PointAt(t.normals, element);
-    }
-    return Unit(n);
-}
-
 bool PairFinder::IsOverHole(const Vec3& to_partner, const Vec3& normal) const {
     if (!problem_.target.triangles.empty() || Length(normal) == 0) return false;
     return Length(to_partner - Dot(to_partner, normal) * normal) > reach_;
@@ -151,7 +166,7 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
     for (Index v = 0; v < surface.rows.n_rows(); ++v) {
         const auto i = static_cast<std::size_t>(v);
         const Geometry::ClosestPoint& at = on_target[i];
-        const Vec3 n = TargetNormal(at.element);
+        const Vec3 n = NormalOf(problem_.target, at.element);
         if (!(areas[i] > 0) || look_away(n, normals[i]) || IsBeyondBorder(at)) continue;
         if (IsOverHole(AsVec3(at.position) - PointAt(vertices, v), n)) continue;
         pairs.push_back({{v, v, v}, {1, 0, 0}, AsVec3(at.position), n, at.distance, areas[i]});

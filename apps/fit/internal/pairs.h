@@ -22,6 +22,11 @@ struct Pair {
     double weight = 0;  ///< of the square of its distance
 };
 
+/// The root of the mean squared angle, by area, between the surface's normals at its vertices and those of the target
+/// at the points nearest to them, in radians; 0 where the target has none.
+double NormalRms(std::span<const double> vertices, std::span<const Index> triangles, const TargetSurface& target,
+                 std::span<const Geometry::ClosestPoint> nearest);
+
 /// A target with its nearest points.
 class PairFinder {
   public:
@@ -36,7 +41,6 @@ class PairFinder {
 
   private:
     void FindPoints(Offset most_points);
-    Vec3 TargetNormal(Index element) const;
     /// Whether the nearest point of a cloud lies to the side, farther than its neighbours do.
     bool IsOverHole(const Vec3& to_partner, const Vec3& normal) const;
     bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;

@@ -97,6 +97,7 @@ StepReport SolveSmoothStep(const StepSettings& settings, std::span<const Pair> p
         const LinearBlock::Row row = RowOf(pair, settings.problem.surface, settings.across);
         if (!row.weights.empty()) form.Add(row.weights, row.goal, row.matrix);
     }
+    for (const LinearBlock::Row& row : settings.more) form.Add(row.weights, row.goal, row.matrix);
     if (fairness > 0) {
         for (Index i = 0; i < settings.fair_rows.n_rows(); ++i) {
             const LinearBlock::Row row = FairRowOf(settings.fair_rows, i, fairness);

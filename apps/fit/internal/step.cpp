@@ -21,7 +21,7 @@ constexpr std::size_t kRowsOfBlock = 256;
 
 Index HeaviestOf(const LinearBlock::Row& row) {
     return std::max_element(row.weights.begin(), row.weights.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
+                            [](const auto& a, const auto& b) { return std::abs(a.second) < std::abs(b.second); })
         ->first;
 }
 
@@ -46,19 +46,20 @@ class Builder {
     ceres::Problem problem_;
 };
 
-void AddPairs(const StepSettings& settings, std::span<const Pair> pairs, Builder& builder) {
+void AddRows(const StepSettings& settings, std::span<const Pair> pairs, Builder& builder) {
     std::map<Index, std::vector<LinearBlock::Row>> groups;
     const auto add = [&](std::vector<LinearBlock::Row>& rows) {
         builder.Add(new LinearBlock(rows));
         rows.clear();
     };
-    for (const Pair& pair : pairs) {
-        LinearBlock::Row row = RowOf(pair, settings.problem.surface, settings.across);
-        if (row.weights.empty()) continue;
+    const auto put = [&](const LinearBlock::Row& row) {
+        if (row.weights.empty()) return;
         auto& rows = groups[HeaviestOf(row)];
-        rows.push_back(std::move(row));
+        rows.push_back(row);
         if (rows.size() == kRowsOfBlock) add(rows);
-    }
+    };
+    for (const Pair& pair : pairs) put(RowOf(pair, settings.problem.surface, settings.across));
+    for (const LinearBlock::Row& row : settings.more) put(row);
     for (auto& group : groups) {
         if (!group.second.empty()) add(group.second);
     }
@@ -110,7 +111,7 @@ StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, 
     if (settings.barrier > 0 && !settings.problem.corners.empty())
         return SolveSmoothStep(settings, pairs, fairness, control);
     Builder builder(control);
-    AddPairs(settings, pairs, builder);
+    AddRows(settings, pairs, builder);
     if (fairness > 0) AddFairness(settings, fairness, builder);
     for (Index p : settings.problem.locked) builder.Lock(p);
 

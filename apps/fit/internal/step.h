@@ -18,6 +18,7 @@ struct StepSettings {
     std::span<const double> enough;             ///< of each corner: the scaled Jacobian at which the barrier ends
     double barrier = 0;
     double across = 0;
+    std::span<const LinearBlock::Row> more{};  ///< rows of other terms (internal/more_rows.h)
 };
 
 struct StepReport {

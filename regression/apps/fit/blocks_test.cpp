@@ -4,6 +4,7 @@
 #include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
+#include <solidsubdiv/apps/fit/internal/more_rows.h>
 #include <solidsubdiv/apps/fit/internal/normal_equations.h>
 
 #include <functional>
@@ -168,6 +169,52 @@ TEST(NormalEquations, AreTheSumOfSquaresOfTheirRows) {
     x[3 * 5 + 1] = 1;
     form.Evaluate(x, b);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(form.Diagonal(5)[3 * c + 1], b[15 + c] - a[15 + c], 1e-12);
+}
+
+double SumOfSquares(const std::vector<LinearBlock::Row>& rows, std::vector<double> control) {
+    double sum = 0;
+    for (const LinearBlock::Row& row : rows) {
+        const LinearBlock block(std::span(&row, 1));
+        std::vector<double*> parameters;
+        for (Index p : block.control_points()) parameters.push_back(&control[3 * static_cast<std::size_t>(p)]);
+        std::array<double, 3> residuals{};
+        block.Evaluate(parameters.data(), residuals.data(), nullptr);
+        for (double r : residuals) sum += r * r;
+    }
+    return sum;
+}
+
+TEST(TangentRows, AreTheMeanOfSquaredCosines) {
+    // Flat triangles: tangents lie in them, and normals that lean by an angle have its sine with one direction.
+    ControlMesh mesh = SphereCage(1);
+    for (std::size_t i = 2; i < mesh.positions.size(); i += 3) mesh.positions[i] = 0;
+    const Problem problem = MakeProblem(mesh, Sdc::LinearSurface{}, {}, 2, 0, true);
+    ASSERT_FALSE(problem.surface.tangent_vertices.empty());
+    const auto rows_for = [&](const Vec3& normal, double normals) {
+        std::vector<Pair> pairs;
+        const Index n = problem.surface.rows.n_rows();
+        for (Index v = 0; v < n; ++v) {
+            pairs.push_back({{v, v, v}, {1, 0, 0}, {}, normal, 0, 1.0 / n});
+        }
+        std::vector<LinearBlock::Row> rows;
+        AddTangentRows(problem.surface, pairs, problem.control, normals, rows);
+        return rows;
+    };
+    EXPECT_LT(SumOfSquares(rows_for({0, 0, 1}, 1), problem.control), 1e-30);
+    const double angle = 0.1, sine = std::sin(angle);
+    const double leaning = SumOfSquares(rows_for({sine, 0, std::cos(angle)}, 1), problem.control);
+    EXPECT_GT(leaning, 0.5 * sine * sine);  // of both tangents at right angles it would be sine^2
+    EXPECT_LT(leaning, 2 * sine * sine);
+    EXPECT_NEAR(SumOfSquares(rows_for({sine, 0, std::cos(angle)}, 7), problem.control), 7 * leaning, 1e-12);
+    EXPECT_TRUE(rows_for({1, 0, 0}, 1).empty()) << "across";
+}
+
+TEST(SpringRows, AreTheMeanOfSquaredDistances) {
+    const std::vector<double> at = {0, 0, 0, 1, 0, 0, 0, 2, 0};
+    std::vector<LinearBlock::Row> rows;
+    AddSpringRows(std::vector<std::vector<Index>>{{1, 2}, {0}, {0}}, 6, rows);
+    EXPECT_EQ(rows.size(), 2u);
+    EXPECT_NEAR(SumOfSquares(rows, at), 6 * (1 + 4) / 2., 1e-12);
 }
 
 TEST(AffineRows, VanishOnAffineMaps) {

@@ -141,6 +141,60 @@ TEST(MakeBoxLattice, HasAboutSoManyPointsAndHoldsTheBox) {
     EXPECT_THAT(ErrorOf([] { MakeBoxLattice(std::vector<double>{1, 1, 1}, 100); }), HasSubstr("all points are one"));
 }
 
+TEST(FitControlPoints, FewPointsWithNormalsGiveABetterShape) {
+    // Thirty points of an ellipsoid leave much open between them.
+    const ControlMesh start = SphereCage(2);
+    const std::array<double, 3> axes{1, 0.7, 0.5};
+    Surface truth = SurfaceOf(MakeProblem(start, Sdc::LinearSurface{}, {}, 8));
+    std::vector<double> points, normals;
+    for (std::size_t i = 0; i < truth.positions.size(); i += 3) {
+        double* const p = &truth.positions[i];
+        const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        std::array<double, 3> normal{};
+        double size = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            normal[c] = p[c] / (length * axes[c]);
+            p[c] *= axes[c] / length;
+            size += normal[c] * normal[c];
+        }
+        if (i % 51 != 0 || points.size() >= 90) continue;
+        points.insert(points.end(), p, p + 3);
+        for (double x : normal) normals.push_back(x / std::sqrt(size));
+    }
+    const Problem problem =
+        MakeProblem(start, Sdc::Loop{}, {.positions = points, .triangles = {}, .normals = normals}, 3, 0, true);
+    const auto error_with = [&](double weight) {
+        const Result result = FitControlPoints(problem, {.least_fairness = 1e-6, .normals = weight});
+        Problem against = problem;
+        against.target = truth.View();
+        against.control = result.control;
+        return FitControlPoints(against, {.max_rounds = 1, .fairness = 1e6}).to_target.rms;
+    };
+    EXPECT_LT(error_with(1e-4), 0.8 * error_with(0));
+    EXPECT_THAT(ErrorOf([&] { FitControlPoints(MakeProblem(start, Sdc::Loop{}, truth.View()), {.normals = 1}); }),
+                HasSubstr("no tangents"));
+}
+
+TEST(FitControlPoints, SpringsPlaceWhatNothingElseReaches) {
+    // The middle of eight cells is in no row of the surface.
+    ControlMesh start = BulgedHexes(2);
+    const Problem good = MakeProblem(start, Sdc::CatmullClarkSolid{}, {}, 2);
+    const Surface own = SurfaceOf(good);
+    const std::size_t middle = 13;
+    ASSERT_FALSE(IsSeen(good)[middle]);
+    start.positions[3 * middle] += 0.1;
+    Problem problem = MakeProblem(start, Sdc::CatmullClarkSolid{}, own.View(), 2);
+    problem.partners = own.positions;
+    const Result result = FitControlPoints(problem, {.fairness = 0, .least_fairness = 0, .barrier = 0, .spring = 1e-3});
+    for (std::size_t c = 0; c < 3; ++c) {
+        double mean = 0;
+        for (Index p : problem.neighbors[middle])
+            mean += result.control[3 * static_cast<std::size_t>(p) + c] /
+                    static_cast<double>(problem.neighbors[middle].size());
+        EXPECT_NEAR(result.control[3 * middle + c], mean, 1e-6);
+    }
+}
+
 TEST(FitControlPoints, UnitsDoNotMatter) {
     const Case c = Cases()[0];
     Problem problem = MakeProblem(c.mesh, c.scheme, {}, 3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The race of fitting: rounds of fits to the scan that the repository carries, by our rows in blocks and by machine
-// derivatives; and what limit points are worth beside those of the control mesh.
+// The race of fitting: rounds of fits to the scan that the repository carries, by our rows in blocks, by machine
+// derivatives, and by OpenSubdiv's limit stencils; and what limit points are worth beside those of the control mesh.
 #include <cstdio>
 #include <memory>
 
@@ -12,6 +12,7 @@
 
 #include "perf/fit_peers.h"
 #include "perf/machine.h"
+#include "perf/open_subdiv_fit.h"
 #include "perf/races.h"
 
 namespace SolidSubdiv::Perf {
@@ -72,13 +73,19 @@ std::string Percent(double value) {
     return text;
 }
 
-void AddRace(Race& race, const RaceSettings& settings, const std::shared_ptr<FitRace>& s, int n_rounds) {
+/// @param more a peer of this race alone
+void AddRace(Race& race, const RaceSettings& settings, const std::shared_ptr<FitRace>& s, int n_rounds,
+             const std::pair<std::string, Solve>& more) {
     const std::string rounds = s->name + ", after " + std::to_string(n_rounds) + " rounds: ";
     race.notes.push_back(s->name + ": " + std::to_string(s->problem.control.size() / 3) + " control points, " +
                          std::to_string(s->problem.surface.rows.n_rows()) + " vertices of the limit.");
     race.notes.push_back(rounds + "RMS of the limit " + Percent(s->Rms(s->Rounds(n_rounds, kOurs))) + " ours, " +
                          Percent(s->Rms(s->Rounds(n_rounds, kOneARow))) + " a block a row, " +
                          Percent(s->Rms(s->Rounds(n_rounds, kGrouped))) + " grouped.");
+    if (more.second) {
+        race.notes.push_back(rounds + "RMS of the limit " + Percent(s->Rms(s->Rounds(n_rounds, more.second))) + " " +
+                             more.first + ".");
+    }
     const auto add = [&](const std::string& what, int n_threads, const Solve& solve, std::vector<std::string> peers) {
         race.Add({.name = s->name + ": " + what + ", " + std::to_string(n_threads) + "T",
                   .n_threads = n_threads,
@@ -89,10 +96,13 @@ void AddRace(Race& race, const RaceSettings& settings, const std::shared_ptr<Fit
     };
     for (int n : settings.ThreadCounts()) {
         const std::string t = ", " + std::to_string(n) + "T";
-        add("a round of ours", n, kOurs,
-            {s->name + ": autodiff, a block a row" + t, s->name + ": autodiff, grouped" + t});
+        std::vector<std::string> peers = {s->name + ": autodiff, a block a row" + t,
+                                          s->name + ": autodiff, grouped" + t};
+        if (more.second) peers.push_back(s->name + ": " + more.first + t);
+        add("a round of ours", n, kOurs, peers);
         add("autodiff, a block a row", n, kOneARow, {});
         add("autodiff, grouped", n, kGrouped, {});
+        if (more.second) add(more.first, n, more.second, {});
     }
 }
 
@@ -120,14 +130,23 @@ Race RaceFit(const RaceSettings& settings) {
     const Fit::TargetSurface target{.positions = scan.positions, .triangles = scan.topology.triangles};
     const Index n_control = settings.is_quick ? 100 : 480;
     const int n_rounds = settings.is_quick ? 3 : 8;
+    constexpr int kRate = 4;
     const auto add = [&](const std::string& name, const Fit::ControlMesh& mesh, const Sdc::Scheme& scheme,
-                         const Sdc::Scheme& linear) {
-        const auto shared = std::make_shared<FitRace>(name, Fit::MakeProblem(mesh, scheme, target, 4, 12));
-        AddRace(race, settings, shared, n_rounds);
+                         const Sdc::Scheme& linear, const std::pair<std::string, Solve>& more = {}) {
+        const auto shared = std::make_shared<FitRace>(name, Fit::MakeProblem(mesh, scheme, target, kRate, 12));
+        AddRace(race, settings, shared, n_rounds, more);
         NotePlain(race, *shared, mesh, linear, n_rounds);
     };
     add("hexahedra", MakeSolidStart(target, {.n_control = n_control}), Sdc::CatmullClarkSolid{}, Sdc::LinearSolid{});
-    add("Loop cage", MakeCage(target, {.n_control = n_control}), Sdc::Loop{}, Sdc::LinearSurface{});
+    const Fit::ControlMesh cage = MakeCage(target, {.n_control = n_control});
+    std::pair<std::string, Solve> more;
+#if SOLIDSUBDIV_HAS_OPENSUBDIV
+    const auto theirs = std::make_shared<OpenSubdivFit>(cage, kRate);
+    more = {"OpenSubdiv's limit stencils", [theirs](const auto& step, auto pairs, double fairness, auto control) {
+                theirs->Solve(step, pairs, fairness, control);
+            }};
+#endif
+    add("Loop cage", cage, Sdc::Loop{}, Sdc::LinearSurface{}, more);
     race.Run(settings.Turns(3));
     return race;
 }

@@ -9,7 +9,6 @@
 
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/dynamic_autodiff_cost_function.h>
-#include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <solidsubdiv/sdc/parallel.h>
 
@@ -139,16 +138,20 @@ void SolveByAutoDiff(Blocks blocks, const StepSettings& settings, std::span<cons
     for (std::size_t i = 0; i < settings.problem.corners.size(); ++i) {
         builder.AddCorner(settings.problem.corners[i], settings.enough[i], std::sqrt(settings.barrier));
     }
+    SolveAsOurs(builder.problem(), control.size(), settings.problem.corners.empty() ? 1e10 : 1e4);
+}
+
+void SolveAsOurs(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius) {
     ceres::Solver::Options options;
-    options.linear_solver_type = control.size() <= 3 * 400 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
+    options.linear_solver_type = n_unknowns <= 3 * 400 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
     options.preconditioner_type = ceres::JACOBI;
     options.max_num_iterations = 40;
     options.function_tolerance = 1e-6;
-    options.initial_trust_region_radius = settings.problem.corners.empty() ? 1e10 : 1e4;
+    options.initial_trust_region_radius = trust_radius;
     options.num_threads = std::min(Sdc::ThreadCount(), static_cast<int>(std::thread::hardware_concurrency()));
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
-    ceres::Solve(options, &builder.problem(), &summary);
+    ceres::Solve(options, &problem, &summary);
 }
 
 }  // namespace SolidSubdiv::Perf

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <ceres/problem.h>
 #include <solidsubdiv/apps/fit/internal/step.h>
 
 namespace SolidSubdiv::Perf {
@@ -18,5 +19,8 @@ enum class Blocks {
 /// (DynamicAutoDiffCostFunction for rows, AutoDiffCostFunction for corners).
 void SolveByAutoDiff(Blocks blocks, const Fit::Internal::StepSettings& settings,
                      std::span<const Fit::Internal::Pair> pairs, double fairness, std::span<double> control);
+
+/// With the settings of Fit::Internal::SolveStep, on as many threads as there are.
+void SolveAsOurs(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius);
 
 }  // namespace SolidSubdiv::Perf

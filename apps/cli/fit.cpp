@@ -25,7 +25,9 @@ Work AddFit(CLI::App& command) {
         ->option_text("DIR (required)");
     command
         .add_option("--model", o.model,
-                    "solid: a lattice of cells whose boundary's limit is the target\n(default for closed targets);\n"
+                    "solid: a lattice of cells whose boundary's limit is the target\n(default for closed targets; "
+                    "holes of others "
+                    "are bridged);\n"
                     "surface: a cage whose limit is;\n"
                     "lattice: one around --template whose deformation carries that\nto the target (default with "
                     "--template)")

@@ -102,6 +102,7 @@ class FitCommand {
             session_.Note(options_.input + ": has " + Counted(target_.n_border_edges, "border edge", "border edges") +
                           ": a cage is fitted (--model surface), since it bounds no solid");
         }
+        if (is_solid_ && !is_closed) CloseFitTarget(options_.input, target_, session_);
         json_["target"] = target_.json;
     }
 

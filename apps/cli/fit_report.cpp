@@ -32,6 +32,7 @@ Json DistanceJson(const Geometry::DistanceSummary& d, double diagonal) {
     add("p99", d.p99);
     add("max", d.most);
     json["points"] = d.n_points;
+    json["left_out_percent"] = 100 * d.left_out;
     return json;
 }
 
@@ -81,6 +82,12 @@ std::string FitText(const FitSummary& s, const Json& json) {
                   "largest");
     text += head + Line("limit to target", s.result.to_target, s.diagonal) +
             Line("target to limit", s.result.from_target, s.diagonal);
+    if (s.result.to_target.left_out > 0) {
+        char over[120];
+        std::snprintf(over, sizeof over, "\n%.2f %% of the limit's area, over holes of the target, is not counted",
+                      100 * s.result.to_target.left_out);
+        text += over;
+    }
     if (json.contains("solid")) {
         text += "\n" + Counted(json["solid"]["folded"].get<long long>(), "cell", "cells") + " of " +
                 std::to_string(json["solid"]["cells"].get<long long>()) +

@@ -7,6 +7,7 @@
 #include <solidsubdiv/apps/cli/lattice_mesh.h>
 #include <solidsubdiv/apps/cli/target_report.h>
 #include <solidsubdiv/apps/fit/cloud.h>
+#include <solidsubdiv/apps/fit/open_surface.h>
 #include <solidsubdiv/apps/fit/start.h>
 #include <solidsubdiv/apps/voxel/volume_surface.h>
 #include <solidsubdiv/kit/geometry/box.h>
@@ -83,6 +84,10 @@ void ReadVolumeTarget(const std::string& file, const FitTargetOptions& asked, Se
     });
 }
 
+void TurnTriangles(std::vector<Index>& triangles) {
+    for (std::size_t t = 0; t < triangles.size(); t += 3) std::swap(triangles[t + 1], triangles[t + 2]);
+}
+
 void ReadMeshTarget(const std::string& file, Session& session, FitTarget& target) {
     const Io::Mesh mesh = Io::ReadMesh(file);
     for (const std::string& note : mesh.notes) session.Note(file + ": " + note);
@@ -90,9 +95,7 @@ void ReadMeshTarget(const std::string& file, Session& session, FitTarget& target
     target.triangles = SurfaceTriangles(mesh);
     if (target.triangles.empty()) throw InvalidInput(file + ": has no faces: there is no surface to fit to");
     if (About(file, [&] { return Fit::LooksInwards(target.Surface()); })) {
-        for (std::size_t t = 0; t < target.triangles.size(); t += 3) {
-            std::swap(target.triangles[t + 1], target.triangles[t + 2]);
-        }
+        TurnTriangles(target.triangles);
         session.Note(file + ": its faces look inwards; turned around");
     }
     target.json = {{"kind", "mesh"}};
@@ -108,12 +111,13 @@ void ReadCloudTarget(const std::string& file, Session& session, FitTarget& targe
     if (shape.triangles.empty()) {
         session.Note(file + ": its points enclose nothing that can be told; the fit starts from an ellipsoid");
     }
-    target.json = {{"kind", "points"},
-                   {"spacing", shape.spacing},
-                   {"normals", shape.has_estimated_normals ? "estimated" : "given"},
-                   {"closing_radius", shape.radius},
-                   // Between points a target has no surface: the way from the limit ends at the nearest point.
-                   {"measured", "target_to_surface; surface_to_target is to the nearest point, not below the spacing"}};
+    target.json = {
+        {"kind", "points"},
+        {"spacing", shape.spacing},
+        {"normals", shape.has_estimated_normals ? "estimated" : "given"},
+        {"closing_radius", shape.radius},
+        // Between points a target has no surface: the way from the limit ends at the nearest point.
+        {"measured", "target_to_surface; surface_to_target is to the nearest point, half the spacing or more"}};
     target.positions = std::move(cloud.positions);
     target.normals = std::move(shape.normals);
     target.closing_positions = std::move(shape.positions);
@@ -165,6 +169,25 @@ FitTarget ReadFitTarget(const std::string& file, const FitTargetOptions& options
     }
     target.json = std::move(json);
     return target;
+}
+
+void CloseFitTarget(const std::string& file, FitTarget& target, Session& session) {
+    session.Stage("surface");
+    Fit::CloudShape shape =
+        About(file, [&] { return Fit::CloseSurface(target.positions, target.triangles, session.progress()); });
+    if (shape.triangles.empty()) {
+        throw InvalidInput(file + ": the target is open: " + std::to_string(target.n_border_edges) +
+                           " border edges, and encloses nothing that can be told; fit a cage (--model surface)");
+    }
+    if (shape.has_turned_normals) {
+        TurnTriangles(target.triangles);
+        session.Note(file + ": its faces look inwards; turned around");
+    }
+    session.Note(file + ": has " + Counted(target.n_border_edges, "border edge", "border edges") +
+                 ": the solid starts from a surface that bridges the holes, where nothing draws it");
+    target.json["closing_radius"] = shape.radius;
+    target.closing_positions = std::move(shape.positions);
+    target.closing_triangles = std::move(shape.triangles);
 }
 
 }  // namespace SolidSubdiv::Cli

@@ -23,7 +23,8 @@ struct FitTarget {
     std::vector<double> positions;
     std::vector<Index> triangles;  ///< none: points alone
     std::vector<double> normals;   ///< of points alone
-    /// Of points alone: the closed surface that starts are made around; none where nothing seals them.
+    /// Of points alone and of open surfaces that a solid is fitted to: the closed surface that starts are made around;
+    /// none where nothing seals them.
     std::vector<double> closing_positions;
     std::vector<Index> closing_triangles;
     double diagonal = 0;
@@ -38,5 +39,8 @@ struct FitTarget {
 /// Reads a mesh, a volume or points, by the extension and, of PLY files, by whether there are faces. Notes what a user
 /// should know. @throws UsageError, IoError, InvalidInput, Cancelled
 FitTarget ReadFitTarget(const std::string& file, const FitTargetOptions& options, Session& session);
+
+/// Bridges the holes of an open surface, so that a solid can be started. @throws InvalidInput where nothing seals it
+void CloseFitTarget(const std::string& file, FitTarget& target, Session& session);
 
 }  // namespace SolidSubdiv::Cli

@@ -92,14 +92,16 @@ class CloudGrid {
         MeasureDistances(points);
     }
 
-    /// What is positive inside, in voxels: the closing by balls of a radius. @param n_inside voxels inside
+    /// What is positive inside, in voxels: the closing by balls of a radius.
+    /// @param n_inside voxels that are inside by more than a shell of dense points is by chance
     Geometry::Volume Closing(double radius, Offset& n_inside) const {
         Geometry::Volume closing = volume_;
         const double r = radius / width_;
         closing.values = DistancesTo(Outside(r), volume_.dims);
         n_inside = 0;
+        constexpr double kDeep = 0.75;
         // Voxels outside begin half a voxel beyond the balls, for the most part.
-        for (double& d : closing.values) n_inside += (d -= r + 0.5) >= 0;
+        for (double& d : closing.values) n_inside += (d -= r + 0.5) >= kDeep;
         return closing;
     }
 
@@ -180,6 +182,7 @@ void CloseCloud(std::span<const double> points, CloudShape& shape, const Progres
     const double least = std::max(1.5 * shape.spacing, diagonal / 100);
     for (double r = least; r < diagonal / 4; r *= 1.6) radii.push_back(r);
     if (radii.empty()) return;
+    radii.push_back(diagonal / 4);
     const CloudGrid grid(points, radii.back());
     std::vector<Offset> counts(radii.size());
     for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -194,10 +197,13 @@ void CloseCloud(std::span<const double> points, CloudShape& shape, const Progres
     while (2 * counts[best] < most) ++best;
     Offset n_inside = 0;
     const Geometry::Volume closing = grid.Closing(radii[best], n_inside);
-    const Voxel::VolumeSurface made = Voxel::SurfaceOfLevel(closing, 0, {.smooth = 1});
-    shape.positions = made.positions;
-    shape.triangles = made.triangles;
-    shape.radius = radii[best];
+    try {
+        Voxel::VolumeSurface made = Voxel::SurfaceOfLevel(closing, 0, {.smooth = 1});
+        shape.positions = std::move(made.positions);
+        shape.triangles = std::move(made.triangles);
+        shape.radius = radii[best];
+    } catch (const InvalidInput&) {  // so thin that smoothing takes it away: nothing to make a start of
+    }
 }
 
 /// Normals of planes through neighbours, of either sign.

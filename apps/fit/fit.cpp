@@ -99,7 +99,13 @@ void Measure(const Problem& problem, Result& result) {
     if (target.positions.empty()) return;
     const Geometry::ClosestPoints on_target(target.positions, target.triangles);
     const Geometry::ClosestPoints on_surface(result.vertices, surface.triangles);
-    result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target);
+    const Coverage coverage(target);
+    const auto is_over_hole = [&](const Geometry::ClosestPoint& nearest, const std::array<double, 3>& p,
+                                  Index triangle) {
+        const TargetSurface own{.positions = result.vertices, .triangles = surface.triangles};
+        return !coverage.Covers(nearest, {p[0], p[1], p[2]}, NormalOf(own, triangle));
+    };
+    result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target, {.is_left_out = is_over_hole});
     result.from_target = MeasureDistance(target.positions, target.triangles, on_surface);
     const auto nearest = on_target.Find(result.vertices);
     for (const Geometry::ClosestPoint& p : nearest) result.to_target_distances.push_back(p.distance);

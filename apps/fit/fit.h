@@ -125,7 +125,8 @@ struct Round {
 struct Result {
     std::vector<double> control;
     /// Of the fine surface, or of the surface where there is none: its vertices, the distance of each to the target,
-    /// and of each of the target's points to it.
+    /// and of each of the target's points to it. `to_target` leaves out what lies over holes of the target, or beyond
+    /// its border; the vertices' distances do not.
     std::vector<double> vertices, to_target_distances, from_target_distances;
     std::vector<Round> rounds;
     Geometry::DistanceSummary to_target, from_target;

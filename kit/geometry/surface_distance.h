@@ -5,6 +5,8 @@
 //     there.rms; there.most;
 #pragma once
 
+#include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,10 +22,14 @@ struct DistanceSummary {
     double most = 0;
     Index most_vertex = kNoIndex;  ///< corner of the triangle where `most` was found; of clouds the point
     Offset n_points = 0;           ///< measured at
+    double left_out = 0;           ///< [0, 1]: the part of the area that was not counted
 };
 
 struct DistanceOptions {
     Offset n_points = 100'000;  ///< about how many points triangles get, by area, each one at least. [1, 1e9]
+    /// Points that are not counted, by the point of the target nearest to them and the triangle that they lie in (of
+    /// clouds: the point); none: all are.
+    std::function<bool(const ClosestPoint& nearest, const std::array<double, 3>& point, Index element)> is_left_out{};
 };
 
 /// From a surface (triangles, each measured at its corners and at points spread inside) or a cloud (its points) to

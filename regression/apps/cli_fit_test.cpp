@@ -134,7 +134,7 @@ TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
     EXPECT_EQ(creases.edge_sharpness.size(), with["control"]["creases"]);
 }
 
-TEST_F(CliFit, OpenTargetsGetACageWithAWord) {
+TEST_F(CliFit, OpenTargetsGetACageWithAWord_OrASolidWhereAsked) {
     // Without the faces around one pole.
     std::istringstream ball(Ball(16));
     std::string open, line;
@@ -143,7 +143,15 @@ TEST_F(CliFit, OpenTargetsGetACageWithAWord) {
     const Outcome outcome = MustRun("fit open.obj -o out --control 60 --no-pictures");
     EXPECT_THAT(outcome.err, HasSubstr("32 border edges"));
     EXPECT_TRUE(fs::exists(folder / "out/cage.obj"));
-    EXPECT_THAT(ErrorOf("fit open.obj -o out2 --model solid --control 30"), HasSubstr("open"));
+    // A solid, where it is asked for: the hole is bridged.
+    const auto json = Json("fit open.obj -o solid --model solid --control 100 --levels 1 --no-pictures");
+    EXPECT_EQ(json["solid"]["folded"], 0);
+    EXPECT_GT(json["target"]["closing_radius"], 0);
+    EXPECT_GT(json["fit"]["surface_to_target"]["left_out_percent"], 0);
+    EXPECT_LT(json["fit"]["surface_to_target"]["rms_percent"], 1);
+    EXPECT_LT(json["fit"]["target_to_surface"]["rms_percent"], 1);
+    WriteText("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    EXPECT_THAT(ErrorOf("fit sheet.obj -o out2 --model solid --control 30"), HasSubstr("open: 4 border edges"));
     EXPECT_FALSE(fs::exists(folder / "out2"));
 }
 

@@ -4,10 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
-
-#include <solidsubdiv/apps/fit/internal/neighbors.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
@@ -64,17 +60,6 @@ void CountFarLess(std::span<Pair> pairs, double robust) {
     }
 }
 
-/// Of length 1, or 0.
-Vec3 NormalOf(const TargetSurface& t, Index element) {
-    Vec3 n{};
-    if (!t.triangles.empty()) {
-        n = AreaNormal(t.positions, &t.triangles[3 * static_cast<std::size_t>(element)]);
-    } else if (!t.normals.empty()) {
-        n = PointAt(t.normals, element);
-    }
-    return Unit(n);
-}
-
 }  // namespace
 
 double NormalRms(std::span<const double> vertices, std::span<const Index> triangles, const TargetSurface& target,
@@ -96,21 +81,7 @@ PairFinder::PairFinder(const Problem& problem, Offset most_points) : problem_(pr
     if (!problem.partners.empty()) return;
     target_.emplace(problem.target.positions, problem.target.triangles);
     FindPoints(most_points);
-    if (problem.target.triangles.empty()) {
-        constexpr double kSpacings = 3;  // further across no point is missing by chance
-        reach_ = kSpacings * SpacingOf(problem.target.positions, NeighborTree(problem.target.positions));
-    }
-    std::map<std::pair<Index, Index>, int> counts;
-    const auto& triangles = problem.target.triangles;
-    const auto key = [&](std::size_t t, std::size_t k) {
-        return std::minmax({triangles[t + k], triangles[t + (k + 1) % 3]});
-    };
-    for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        for (std::size_t k = 0; k < 3; ++k) ++counts[key(t, k)];
-    }
-    for (std::size_t t = 0; t < triangles.size(); t += 3) {
-        is_border_.push_back({counts[key(t, 0)] == 1, counts[key(t, 1)] == 1, counts[key(t, 2)] == 1});
-    }
+    coverage_.emplace(problem.target);
 }
 
 void PairFinder::FindPoints(Offset most_points) {
@@ -133,20 +104,6 @@ void PairFinder::FindPoints(Offset most_points) {
     for (double& area : points_.areas) area /= whole;
 }
 
-bool PairFinder::IsOverHole(const Vec3& to_partner, const Vec3& normal) const {
-    if (!problem_.target.triangles.empty() || Length(normal) == 0) return false;
-    return Length(to_partner - Dot(to_partner, normal) * normal) > reach_;
-}
-
-bool PairFinder::IsBeyondBorder(const Geometry::ClosestPoint& at) const {
-    if (is_border_.empty()) return false;
-    for (std::size_t k = 0; k < 3; ++k) {
-        // On the edge from corner k on the third corner has no weight.
-        if (is_border_[static_cast<std::size_t>(at.element)][k] && at.weights[(k + 2) % 3] == 0) return true;
-    }
-    return false;
-}
-
 std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robust, Index& n_of_surface) const {
     const MovingSurface& surface = problem_.surface;
     const std::vector<Vec3> normals = VertexNormals(vertices, surface.triangles);
@@ -167,8 +124,8 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
         const auto i = static_cast<std::size_t>(v);
         const Geometry::ClosestPoint& at = on_target[i];
         const Vec3 n = NormalOf(problem_.target, at.element);
-        if (!(areas[i] > 0) || look_away(n, normals[i]) || IsBeyondBorder(at)) continue;
-        if (IsOverHole(AsVec3(at.position) - PointAt(vertices, v), n)) continue;
+        if (!(areas[i] > 0) || look_away(n, normals[i]) || !coverage_->Covers(at, PointAt(vertices, v), normals[i]))
+            continue;
         pairs.push_back({{v, v, v}, {1, 0, 0}, AsVec3(at.position), n, at.distance, areas[i]});
     }
     n_of_surface = static_cast<Index>(pairs.size());
@@ -181,12 +138,11 @@ std::vector<Pair> PairFinder::Find(std::span<const double> vertices, double robu
         const Vec3& n = points_.normals[i];
         const Index* const t = &surface.triangles[3 * static_cast<std::size_t>(at.element)];
         if (look_away(n, AreaNormal(vertices, t))) continue;
-        pairs.push_back({{t[0], t[1], t[2]},
-                         at.weights,
-                         PointAt(points_.positions, static_cast<Index>(i)),
-                         n,
-                         at.distance,
-                         points_.areas[i]});
+        const Vec3 point = PointAt(points_.positions, static_cast<Index>(i)), way = AsVec3(at.position) - point;
+        // The side of what the surface lacks, an ear or a neck: it is met across its normal, and must draw there.
+        constexpr double kLeastCosine = 0.25;
+        const bool is_side = std::abs(Dot(way, n)) < kLeastCosine * Length(way);
+        pairs.push_back({{t[0], t[1], t[2]}, at.weights, point, is_side ? Vec3{} : n, at.distance, points_.areas[i]});
     }
     CountFarLess(std::span(pairs).subspan(static_cast<std::size_t>(n_of_surface)), robust);
     return pairs;

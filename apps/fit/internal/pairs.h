@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <solidsubdiv/apps/fit/fit.h>
+#include <solidsubdiv/apps/fit/internal/coverage.h>
 #include <solidsubdiv/apps/fit/internal/vec3.h>
 #include <solidsubdiv/kit/geometry/closest_point.h>
 
@@ -41,13 +42,10 @@ class PairFinder {
 
   private:
     void FindPoints(Offset most_points);
-    /// Whether the nearest point of a cloud lies to the side, farther than its neighbours do.
-    bool IsOverHole(const Vec3& to_partner, const Vec3& normal) const;
-    bool IsBeyondBorder(const Geometry::ClosestPoint& at) const;
 
     const Problem& problem_;
     std::optional<Geometry::ClosestPoints> target_;  ///< where there are no partners
-    double reach_ = 0;                               ///< of a cloud's points, across their normals
+    std::optional<Coverage> coverage_;               ///< of the target, as well
     /// Those of the target's points that are paired, their normals (of length 1 or 0), and areas, which sum to 1.
     struct Points {
         std::vector<double> positions{};
@@ -55,7 +53,6 @@ class PairFinder {
         std::vector<double> areas{};
     };
     Points points_;
-    std::vector<std::array<bool, 3>> is_border_;  ///< of each triangle's edges, from its corners on
 };
 
 }  // namespace SolidSubdiv::Fit::Internal

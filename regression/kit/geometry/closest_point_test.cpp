@@ -168,6 +168,29 @@ TEST(MeasureDistance, OfParallelPlanesIsTheirDistance_AndOfTiltedOnesItsMoments)
     EXPECT_GT(tilted.n_points, 150'000);
 }
 
+TEST(MeasureDistance, LeavesOutWhatItIsToldTo) {
+    // Two triangles of a square, one of them twice as far away; its points are known by their number and their place.
+    const std::vector<double> square = {0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+    const std::vector<Index> triangles = {0, 1, 2, 0, 2, 3};
+    const std::vector<double> plane = {-99, -99, 0, 99, -99, 0, 0, 99, 0};
+    const std::vector<Index> triangle = {0, 1, 2};
+    const ClosestPoints target(plane, triangle);
+    const DistanceSummary half =
+        MeasureDistance(square, triangles, target, {.is_left_out = [](const ClosestPoint&, const auto& p, Index t) {
+                            EXPECT_NEAR(p[2], 1, 1e-12);
+                            if (std::abs(p[1] - p[0]) > 1e-9) {
+                                EXPECT_EQ(t == 1, p[1] > p[0]);
+                            }
+                            return t == 1;
+                        }});
+    EXPECT_NEAR(half.left_out, 0.5, 1e-12);
+    EXPECT_NEAR(half.rms, 1, 1e-12);
+    const DistanceSummary none = MeasureDistance(square, triangles, target,
+                                                 {.is_left_out = [](const auto&, const auto&, Index) { return true; }});
+    EXPECT_EQ(none.left_out, 1);
+    EXPECT_EQ(none.n_points, 0);
+}
+
 TEST(MeasureDistance, OfCloudsCountsPoints) {
     const std::vector<double> origin = {0, 0, 0}, points = {1, 0, 0, 0, 2, 0, 0, 0, 2};
     const DistanceSummary d = MeasureDistance(points, {}, ClosestPoints(origin, {}));

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "apps/cli_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::CliTesting {
 namespace {
@@ -67,6 +68,7 @@ TEST_F(CliFitTargets, AMaskIsFittedWhereItsVoxelsAre) {
 }
 
 TEST_F(CliFitTargets, GreyValuesAreCutAtOtsusThresholdOrWhereAsked) {
+    SOLIDSUBDIV_LONG_TEST();
     // 100 inside falling to 0 over four voxels, at 50 on the ball of radius 6.
     WriteVolume("grey.nrrd",
                 [](double x, double y, double z) { return 100.5 / (1 + std::exp(2 * (std::hypot(x, y, z) - 6))); });
@@ -80,6 +82,7 @@ TEST_F(CliFitTargets, GreyValuesAreCutAtOtsusThresholdOrWhereAsked) {
 }
 
 TEST_F(CliFitTargets, EachSideOfTheCaudateNucleusIsFoundByItsLabel) {
+    SOLIDSUBDIV_LONG_TEST();
     const std::string file = std::string(SOLIDSUBDIV_SHAPES) + "/volumes/caudate_labels.nii.gz";
     for (const char* label : {"1", "2"}) {
         const auto json =
@@ -99,6 +102,7 @@ TEST_F(CliFitTargets, EachSideOfTheCaudateNucleusIsFoundByItsLabel) {
 }
 
 TEST_F(CliFitTargets, PointsAreFittedWhateverTheirUnit) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const double unit : {1.0, 1e-9, 1e9}) {
         SCOPED_TRACE(unit);
         WriteSphere("points.xyz", 800, unit);
@@ -115,6 +119,7 @@ TEST_F(CliFitTargets, PointsAreFittedWhateverTheirUnit) {
 }
 
 TEST_F(CliFitTargets, PlyFilesOfVerticesAreClouds) {
+    SOLIDSUBDIV_LONG_TEST();
     std::ostringstream text;
     text << "ply\nformat ascii 1.0\nelement vertex 400\nproperty double x\nproperty double y\nproperty double z\n"
          << "end_header\n";

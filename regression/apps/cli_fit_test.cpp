@@ -6,6 +6,7 @@
 
 #include "apps/cli_testing.h"
 #include "cube_surface.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::CliTesting {
 namespace {
@@ -85,6 +86,7 @@ TEST_F(CliFit, ASolidIsFoundWhoseLimitIsTheTarget) {
 }
 
 TEST_F(CliFit, CagesAndTetsDoToo) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const char* how : {"--model surface --control 60", "--scheme box-spline --control 120 --levels 1"}) {
         SCOPED_TRACE(how);
         const auto json = Json("fit ball.obj -o out --no-pictures " + std::string(how));
@@ -95,6 +97,7 @@ TEST_F(CliFit, CagesAndTetsDoToo) {
 }
 
 TEST_F(CliFit, AnyNumberOfThreadsGivesTheSameBytes) {
+    SOLIDSUBDIV_LONG_TEST();
     Json("fit ball.obj -o a --model surface --control 60 --threads 1 --no-pictures");
     Json("fit ball.obj -o b --model surface --control 60 --threads 3 --no-pictures");
     EXPECT_EQ(ReadText(folder / "a/cage.obj"), ReadText(folder / "b/cage.obj"));
@@ -102,6 +105,7 @@ TEST_F(CliFit, AnyNumberOfThreadsGivesTheSameBytes) {
 }
 
 TEST_F(CliFit, MoreControlPointsAreTakenUntilATolerance) {
+    SOLIDSUBDIV_LONG_TEST();
     const auto tried = [&](const std::string& options) {
         return Json("fit ball.obj -o out --model surface --control 12 --no-pictures " + options)["tried"];
     };
@@ -121,6 +125,7 @@ TEST_F(CliFit, MoreControlPointsAreTakenUntilATolerance) {
 }
 
 TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
+    SOLIDSUBDIV_LONG_TEST();
     WriteText("cube.obj", Cube(8));
     const auto with = Json("fit cube.obj -o with --model surface --control 50 --no-pictures");
     const auto without = Json("fit cube.obj -o without --model surface --control 50 --creases 0 --no-pictures");
@@ -200,6 +205,7 @@ TEST_F(CliFit, BadTargetsAndOptionsAreNamedAndLeaveNothing) {
 }
 
 TEST_F(CliFit, PicturesAreWritten) {
+    SOLIDSUBDIV_LONG_TEST();
     if (MustRun("fit --help").out.find("--no-pictures") == std::string::npos) GTEST_SKIP() << "built without pictures";
     MustRun("fit ball.obj -o out --model surface --control 40 --iterations 3");
     EXPECT_THAT(ReadText(folder / "out/fit.png"), testing::StartsWith("\x89PNG"));

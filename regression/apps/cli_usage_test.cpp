@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/cli_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::CliTesting {
 namespace {
@@ -51,6 +52,7 @@ class CliUsage : public CliTest {
 TEST_F(CliUsage, HelpListsInfoAndRefine) { EXPECT_THAT(Commands(), testing::IsSupersetOf({"info", "refine"})); }
 
 TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
+    SOLIDSUBDIV_LONG_TEST();
     std::vector<std::string> commands = Commands();
     commands.insert(commands.begin(), "");
     MustRun("sample lattice.vtu -o bunny.obj --rate 2");

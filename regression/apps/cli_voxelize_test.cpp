@@ -217,6 +217,7 @@ TEST_F(CliVoxelize, InfoTellsWhatIsInAFile) {
 }
 
 TEST_F(CliVoxelize, PicturesOfEveryKindOfGrid) {
+    SOLIDSUBDIV_LONG_TEST();
     if (MustRun("info --help").out.find("--picture") == std::string::npos) GTEST_SKIP() << "built without pictures";
     MustRun(
         "voxelize cube.vtu -o cube.vdb --kind both --attribute heat --attribute place --attribute level --resolution "

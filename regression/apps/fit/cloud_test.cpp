@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "sanitized.h"
 #include "test_shapes.h"
 
 namespace SolidSubdiv::Fit {
@@ -84,6 +85,7 @@ TEST(NeighborTree, SpacingOfASquareGridIsItsOwn) {
 }
 
 TEST(CloudShape, ClosesASphereAndLooksOutwards) {
+    SOLIDSUBDIV_LONG_TEST();
     const std::vector<double> points = Sphere(2000);
     for (const double unit : {1.0, 1e-9, 1e9}) {
         SCOPED_TRACE(unit);
@@ -199,6 +201,7 @@ TEST(CloudFit, IsNearerToTheSphereThanItsPointsToEachOther) {
 }
 
 TEST(CloudFit, AcrossAHoleGoesOnAsAroundIt) {
+    SOLIDSUBDIV_LONG_TEST();
     // The hole is 1.2 wide; a flat lid would be 0.2 below the sphere, vertices drawn to its rim farther.
     const SphereErrors errors = FitSphere(SphereWithHole(1000), 0);
     EXPECT_LT(errors.largest, 0.2);
@@ -206,6 +209,7 @@ TEST(CloudFit, AcrossAHoleGoesOnAsAroundIt) {
 }
 
 TEST(CloudFit, AveragesNoiseAndForgetsOutliers) {
+    SOLIDSUBDIV_LONG_TEST();
     TestShapes::Random random(11);
     std::vector<double> points = Sphere(1000);
     for (double& x : points) x += 0.015 * random.Uniform();  // 0.5 % of the diagonal

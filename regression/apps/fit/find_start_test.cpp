@@ -27,6 +27,7 @@ double ErrorAfter(const ControlMesh& start, const TargetSurface& target) {
 }
 
 TEST(SolidStarts, AreDifferentAndTheFirstIsMakeSolidStarts) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface target = Torus(16);
     const StartOptions options{.n_control = 200};
     std::vector<StartReport> reports;
@@ -43,7 +44,7 @@ TEST(SolidStarts, AreDifferentAndTheFirstIsMakeSolidStarts) {
 }
 
 TEST(FindSolidStart, FitsBetterThanStartsDoOnAverage) {
-    if (kIsSanitized) GTEST_SKIP() << "minutes under a sanitizer";
+    SOLIDSUBDIV_LONG_TEST();
     const Surface target = Bunny();
     const StartOptions options{.n_control = 200};
     StartReport report;
@@ -68,6 +69,7 @@ TEST(FindSolidStart, FitsBetterThanStartsDoOnAverage) {
 }
 
 TEST(FindSolidStart, DoesNotDependOnTheNumberOfThreads) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface target = SphereAt({0, 0, 0}, 1);
     std::vector<std::vector<double>> found;
     for (int n : {1, 3}) {

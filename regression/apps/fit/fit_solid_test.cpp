@@ -10,6 +10,7 @@
 #include <set>
 
 #include "apps/fit/fit_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
@@ -58,6 +59,7 @@ TEST(FoldedCells, APlantedFoldIsFoundWhereItIs) {
 }
 
 TEST(FitSolid, SaysHowManyOfItsCellsAreFolded) {
+    SOLIDSUBDIV_LONG_TEST();
     // Squeezed to a quarter on one side, whose cells turn over where nothing keeps them.
     const Sdc::Scheme scheme = Sdc::CatmullClarkSolid{};
     const ControlMesh start = BulgedHexes(3);

@@ -10,6 +10,7 @@
 
 #include "apps/fit/start_testing.h"
 #include "page_code.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv {
 namespace {
@@ -21,6 +22,7 @@ TEST(FittingPage, HasTheCodeOfThisTest) {
 }
 
 TEST(FittingPage, CodeRuns) {
+    SOLIDSUBDIV_LONG_TEST();
     const auto ball = Fit::SphereAt({0, 0, 0}, 1);
     const std::span<const double> positions = ball.View().positions;
     const std::span<const Index> triangles = ball.View().triangles;

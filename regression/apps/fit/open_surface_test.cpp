@@ -14,6 +14,7 @@
 
 #include "apps/fit/fit_testing.h"
 #include "apps/fit/start_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
@@ -36,6 +37,7 @@ Surface OpenSphere() {
 }
 
 TEST(CloseSurface, BridgesTheHoleAndTellsWhichWayItLooks) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface open = OpenSphere(), inwards = open.InsideOut();
     for (const Surface* surface : {&open, &inwards}) {
         const CloudShape shape = CloseSurface(surface->positions, surface->triangles);

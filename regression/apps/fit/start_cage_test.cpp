@@ -6,6 +6,7 @@
 #include <solidsubdiv/sdc/errors.h>
 
 #include "apps/fit/start_testing.h"
+#include "sanitized.h"
 #include "test_shapes.h"
 
 namespace SolidSubdiv::Fit {
@@ -61,6 +62,7 @@ TEST(Cage, ValencesAreNearSix) {
 }
 
 TEST(Cage, OfQuadrilateralsIsAClosedManifoldOfTheTargetsTopology) {
+    SOLIDSUBDIV_LONG_TEST();
     StartReport report;
     const ControlMesh cage = MakeCage(Torus(24).View(), {.n_control = 200, .quads = true}, &report);
     EXPECT_TRUE(cage.triangles.empty());
@@ -94,6 +96,7 @@ TEST(Cage, BadTargetsAreNamed) {
 
 /// Points of a long tilted box: no start has triangles to go by.
 TEST(CloudStart, IsOneClosedPieceOfAboutAsManyControlPoints) {
+    SOLIDSUBDIV_LONG_TEST();
     TestShapes::Random random(5);
     Surface cloud;
     for (int i = 0; i < 500; ++i) {
@@ -116,6 +119,7 @@ TEST(CloudStart, IsOneClosedPieceOfAboutAsManyControlPoints) {
 }
 
 TEST(TetStart, IsPositiveAndHasTheTopologyOfItsTarget) {
+    SOLIDSUBDIV_LONG_TEST();
     StartReport report;
     const ControlMesh mesh = MakeSolidStart(Torus(24).View(), {.n_control = 250, .tets = true}, &report);
     EXPECT_TRUE(mesh.hexes.empty());

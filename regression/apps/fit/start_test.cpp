@@ -33,6 +33,7 @@ std::vector<Case> Cases() {
 }
 
 TEST(SolidStart, IsPositiveAndHasTheTopologyOfItsTarget) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const Case& c : Cases()) {
         if (kIsSanitized && c.options.n_control > 300) continue;
         StartReport report;
@@ -61,6 +62,7 @@ TEST(SolidStart, HasAboutAsManyControlPointsAsAskedFor) {
 
 /// The layer: what is one smooth surface must not have two faces of one cell.
 TEST(SolidStart, HexahedraHaveAtMostOneFaceOnTheBoundary) {
+    SOLIDSUBDIV_LONG_TEST();
     const ControlMesh mesh = MakeSolidStart(Bunny().View(), {.n_control = 200});
     std::map<Index, int> on_boundary;
     const auto refiner = Far::TopologyRefiner::Create(mesh.View(), Sdc::Split::Polyhedral);
@@ -76,6 +78,7 @@ TEST(SolidStart, HexahedraHaveAtMostOneFaceOnTheBoundary) {
 
 /// Powers of two: no rounding differs.
 TEST(SolidStart, DoesNotDependOnTheUnit) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface torus = Torus(16);
     const ControlMesh mesh = MakeSolidStart(torus.View(), {.n_control = 250});
     for (double unit : {std::ldexp(1., -30), std::ldexp(1., 30)}) {
@@ -89,6 +92,7 @@ TEST(SolidStart, DoesNotDependOnTheUnit) {
 }
 
 TEST(SolidStart, DoesNotDependOnTheNumberOfThreads) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface torus = Torus(16);
     const ControlMesh mesh = MakeSolidStart(torus.View(), {.n_control = 200});
     const Sdc::ThreadLimit one(1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apps/voxel/voxel_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Voxel {
 namespace {
@@ -43,6 +44,7 @@ TEST(Fog, IsExactForBricksOnQuartersOfVoxels) {
 }
 
 TEST(Fog, IsThePartOfSamplesThatSomeCellHolds) {
+    SOLIDSUBDIV_LONG_TEST();
     constexpr double kVoxel = 0.3;
     for (const Solid& solid : Solids()) {
         const BruteForce brute(solid);

@@ -46,6 +46,7 @@ void ExpectFoundAgain(const TestSolid& s, const Sdc::Scheme& scheme, int n) {
 }
 
 TEST(LimitLocator, PointsOfTheLimit_AreFoundAgain) {
+    SOLIDSUBDIV_LONG_TEST();
     auto block = TestShapes::KuhnBlock(2);
     TestShapes::Jitter(block, 0.1, 8);
     for (int level : {1, 2}) {

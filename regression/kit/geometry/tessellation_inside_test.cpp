@@ -9,6 +9,7 @@
 #include <set>
 
 #include "kit/geometry/tessellation_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Geometry {
 namespace {
@@ -132,6 +133,7 @@ TEST(TessellationInside, PlantedFaultsDoNotFit) {
 }
 
 TEST(TessellationInside, VolumesSumToWhatTheBoundaryEncloses) {
+    SOLIDSUBDIV_LONG_TEST();
     const int level = kIsSanitized ? 1 : 2;
     for (const TestComplex& complex : Solids(level)) {
         for (const auto& [name, scheme] : complex.schemes) {

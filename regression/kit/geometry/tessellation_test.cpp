@@ -9,6 +9,7 @@
 #include <solidsubdiv/sdc/parallel.h>
 
 #include "kit/geometry/tessellation_testing.h"
+#include "sanitized.h"
 
 namespace SolidSubdiv::Geometry {
 namespace {
@@ -93,6 +94,7 @@ TEST(Tessellation, PlantedCracksHangingVerticesAndFlipsAreCaught) {
 }
 
 TEST(Tessellation, AVertexIsTheLimitInEveryFaceThatHasIt) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const TestComplex& complex : TestComplexesInShort()) {
         for (const auto& [name, scheme] : complex.schemes) {
             for (const double tolerance : {0., 0.05}) {
@@ -145,6 +147,7 @@ TEST(Tessellation, ARateOfFourHasTheLimitsOfTheVerticesOfLevelTwo) {
 }
 
 TEST(Tessellation, RandomPointsOfTheLimitAreWithinTheTolerance) {
+    SOLIDSUBDIV_LONG_TEST();
     int n_that_a_coarser_one_fails = 0;
     for (const TestComplex& complex : TestComplexesInShort()) {
         for (const auto& [name, scheme] : complex.schemes) {
@@ -164,6 +167,7 @@ TEST(Tessellation, RandomPointsOfTheLimitAreWithinTheTolerance) {
 }
 
 TEST(Tessellation, TheErrorSaidIsTheErrorFoundAtRandom) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const TestComplex& complex : TestComplexesInShort()) {
         const auto& scheme = complex.schemes.front().second;
         const auto t = TessellateBoundary(complex.refiner, scheme, {.rate = 4});

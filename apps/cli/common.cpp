@@ -107,6 +107,8 @@ void CatchInterrupts() {
 
 bool IsInterrupted() { return is_interrupted; }
 
+void ForgetInterrupt() { is_interrupted = false; }
+
 std::string Counted(long long n, std::string_view one, std::string_view many) {
     return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }

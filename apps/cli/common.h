@@ -82,6 +82,8 @@ class Session {
 /// From now on Ctrl-C (and a polite kill) makes the next report of progress throw Cancelled.
 void CatchInterrupts();
 bool IsInterrupted();
+/// Work goes on, up to the next Ctrl-C: for those who keep what they have found so far.
+void ForgetInterrupt();
 
 /// "1 vertex", "3 vertices".
 std::string Counted(long long n, std::string_view one, std::string_view many);

@@ -112,7 +112,7 @@ Work AddFit(CLI::App& command) {
         "each\nvertex's distance from the target; solid.vtu, the refined solid; fit.json with settings, distances both "
         "ways,\nfolded cells and times; pictures and report.html. Of --template fitted.obj is the deformed model; "
         "start.vtu the\nlattice before ('deform --lattice start.vtu --to lattice.vtu' carries other models along).\n"
-        "docs/fitting.md explains how it works.\n\n" +
+        "Ctrl-C during the rounds writes the best so far. docs/fitting.md explains how it works.\n\n" +
         SchemesHelp() + "\n\n" + ReadableFilesHelp() + "\n" + ReadableTargetsHelp() +
         "\n\nExamples:\n"
         "  solidsubdiv fit bunny.obj -o fitted --control 150 --levels 2\n"

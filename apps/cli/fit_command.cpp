@@ -167,7 +167,7 @@ class FitCommand {
             const double rms = std::max(result_.to_target.rms, result_.from_target.rms),
                          tolerance = options_.fit.tolerance;
             json_["tried"].push_back({{"control_points", mesh_.n_vertices()}, {"rms", rms}});
-            if (!(tolerance > 0) || rms <= tolerance) break;
+            if (!(tolerance > 0) || rms <= tolerance || result_.stopped == "cancelled") break;
             std::ostringstream what;
             what << options_.input << ": RMS " << rms << " with " << mesh_.n_vertices()
                  << " control points, --tolerance is " << tolerance;
@@ -238,7 +238,11 @@ class FitCommand {
         } else {
             result_ = Fit::FitControlPoints(problem_, how);
         }
-        if (result_.stopped == "cancelled") throw Cancelled();
+        if (result_.stopped == "cancelled") {
+            if (result_.rounds.empty()) throw Cancelled();
+            ForgetInterrupt();
+            session_.Note(options_.input + ": interrupted; the best so far is written (Ctrl-C again: nothing is)");
+        }
         mesh_.positions = result_.control;
         if (result_.n_folded > 0) {
             session_.Note(options_.input + ": " +

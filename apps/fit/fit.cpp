@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include <solidsubdiv/apps/fit/internal/cell_volumes.h>
 #include <solidsubdiv/apps/fit/internal/corner_shapes.h>
@@ -113,6 +114,15 @@ void Measure(const Problem& problem, Result& result) {
     result.from_target_distances = DistancesOf(target.positions, on_surface);
 }
 
+/// Of the last round, for those who watch.
+std::string ErrorText(std::span<const Round> rounds, double diagonal) {
+    if (rounds.empty()) return {};
+    char text[64];
+    std::snprintf(text, sizeof text, ", RMS %.3g %% of the diagonal",
+                  100 * std::max(rounds.back().surface_rms, rounds.back().target_rms) / diagonal);
+    return text;
+}
+
 void RequireRange(const char* name, double value, double least, double most) {
     if (!(value >= least && value <= most)) {
         throw InvalidInput(std::string("fit: ") + name + " is " + std::to_string(value) + "; it must be from " +
@@ -168,7 +178,8 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
     result.stopped = "rounds";
     try {
         for (int i = 0; i < options.max_rounds; ++i) {
-            Report(options.progress, "fit", static_cast<double>(i) / options.max_rounds);
+            Report(options.progress, "fit" + ErrorText(result.rounds, frame.size),
+                   static_cast<double>(i) / options.max_rounds);
             const auto start = std::chrono::steady_clock::now();
             Round round{.fairness = fairness};
             Index n_of_surface = 0;

@@ -135,6 +135,25 @@ std::vector<double> PercentOf(const FitSummary& s) {
     return percent;
 }
 
+/// Points as dashes, too short to look like any: the page draws surfaces and lines. At most so many, evenly.
+struct Dashes {
+    std::vector<double> positions{};
+    std::vector<Index> lines{};
+
+    Dashes(std::span<const double> points, double diagonal) {
+        constexpr std::size_t kMost = 20'000;
+        const std::size_t n = points.size() / 3, n_shown = std::min(n, kMost);
+        const double half = 1e-3 * diagonal;
+        for (std::size_t i = 0; i < n_shown; ++i) {
+            const double* const p = &points[3 * (i * n / n_shown)];
+            for (double side : {-half, half}) {
+                lines.push_back(static_cast<Index>(positions.size() / 3));
+                for (std::size_t c = 0; c < 3; ++c) positions.push_back(p[c] + side);
+            }
+        }
+    }
+};
+
 /// Where colours end: all but a hundredth of the area is nearer.
 double HighestPercent(const FitSummary& s) { return std::max(1e-9, 100 * s.result.to_target.p99 / s.diagonal); }
 
@@ -173,7 +192,12 @@ std::string FitPage(const FitSummary& s, const Io::Mesh& control, const Json& js
         .title = "fit of " + std::filesystem::path(json["target"]["file"].get<std::string>()).filename().string(),
         .summary = text.substr(0, text.find('\n')) + ".",
         .view = {.azimuth = 20, .elevation = 14}};
-    if (!s.problem.target.triangles.empty()) {  // the page shows no points
+    const bool is_cloud = s.problem.target.triangles.empty();
+    const Dashes dashes(is_cloud ? s.problem.target.positions : std::span<const double>(), s.diagonal);
+    if (is_cloud) {
+        report.meshes.push_back(
+            {.name = "target", .positions = dashes.positions, .lines = dashes.lines, .color = Picture::Palette::kInk});
+    } else {
         report.meshes.push_back({.name = "target",
                                  .positions = s.problem.target.positions,
                                  .triangles = s.problem.target.triangles,

@@ -125,7 +125,8 @@ TEST_F(CliFitTargets, PlyFilesOfVerticesAreClouds) {
          << "end_header\n";
     WriteSphere("points.xyz", 400, 1);
     WriteText("points.ply", text.str() + ReadText(folder / "points.xyz"));
-    EXPECT_EQ(Json("fit points.ply -o out --model surface" + std::string(kQuick))["target"]["kind"], "points");
+    EXPECT_EQ(Json("fit points.ply -o out --model surface --control 60")["target"]["kind"], "points");
+    EXPECT_THAT(ReadText(folder / "out/report.html"), HasSubstr("{\"name\":\"target\""));
 }
 
 TEST_F(CliFitTargets, WhatCantBeFittedIsSaidAndLeavesNothing) {

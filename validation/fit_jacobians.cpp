@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
 #include <solidsubdiv/apps/fit/internal/normal_equations.h>
+#include <solidsubdiv/apps/fit/internal/rows.h>
 #include <solidsubdiv/apps/fit/internal/step.h>
 
 #include "fit_shapes.h"
@@ -23,43 +23,6 @@ namespace {
 constexpr Offset kAllPoints = 1'000'000'000;
 
 }  // namespace
-
-void CompareJacobian(const ceres::CostFunction& block, const std::vector<Index>& points,
-                     std::span<const double> control, const std::string& what, Findings& findings) {
-    std::vector<double> x(control.begin(), control.end());
-    std::vector<double*> parameters;
-    for (Index p : points) parameters.push_back(&x[3 * static_cast<std::size_t>(p)]);
-    const auto n = static_cast<std::size_t>(block.num_residuals());
-    std::vector<std::vector<double>> jacobians(points.size(), std::vector<double>(3 * n));
-    std::vector<double*> pointers;
-    for (auto& j : jacobians) pointers.push_back(j.data());
-    std::vector<double> residuals(n), above(n), below(n);
-    block.Evaluate(parameters.data(), residuals.data(), pointers.data());
-    double largest = 1e-300;
-    for (const auto& j : jacobians) {
-        for (double d : j) largest = std::max(largest, std::abs(d));
-    }
-    constexpr double kStep = 1e-5;
-    for (std::size_t b = 0; b < points.size(); ++b) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            double& value = parameters[b][c];
-            const double middle = value;
-            value = middle + kStep;
-            block.Evaluate(parameters.data(), above.data(), nullptr);
-            value = middle - kStep;
-            block.Evaluate(parameters.data(), below.data(), nullptr);
-            value = middle;
-            for (std::size_t i = 0; i < n; ++i) {
-                const bool has_bend = (above[i] == 0) != (below[i] == 0);
-                if (has_bend) continue;
-                const double slope = (above[i] - below[i]) / (2 * kStep);
-                findings.Error(std::abs(slope - jacobians[b][3 * i + c]) / largest, [&] {
-                    return what + ", residual " + std::to_string(i) + ", control point " + std::to_string(points[b]);
-                });
-            }
-        }
-    }
-}
 
 void CompareSlope(const std::function<double(std::span<const double>, std::span<double>)>& energy,
                   std::span<const double> at, const std::string& what, Findings& findings) {
@@ -86,10 +49,10 @@ void CheckJacobians(const Fit::Problem& problem, double robust, Findings& findin
     Index n_of_surface = 0;
     const auto pairs =
         PairFinder(problem, kAllPoints).Find(problem.surface.Positions(problem.control), robust, n_of_surface);
-    std::vector<LinearBlock::Row> rows;
+    std::vector<LinearRow> rows;
     for (const Pair& pair : pairs) rows.push_back(RowOf(pair, problem.surface, 1e-3));
     for (Index i = 0; i < fair_rows.n_rows(); ++i) {
-        LinearBlock::Row row = FairRowOf(fair_rows, i, 0.7);
+        LinearRow row = FairRowOf(fair_rows, i, 0.7);
         if (!row.weights.empty()) rows.push_back(std::move(row));
     }
     if (n_of_surface == 0) findings.Fault("no rows of the surface's vertices");
@@ -99,15 +62,9 @@ void CheckJacobians(const Fit::Problem& problem, double robust, Findings& findin
     }
     NormalEquations form(problem.control);
     double half_sum = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const LinearBlock block(std::span(&rows[i], 1));
-        CompareJacobian(block, block.control_points(), problem.control, "rows", findings);
-        form.Add(rows[i].weights, rows[i].goal, rows[i].matrix);
-        std::vector<const double*> parameters;
-        for (Index p : block.control_points()) parameters.push_back(&problem.control[3 * static_cast<std::size_t>(p)]);
-        std::array<double, 3> residuals{};
-        block.Evaluate(parameters.data(), residuals.data(), nullptr);
-        for (double r : residuals) half_sum += 0.5 * r * r;
+    for (const LinearRow& row : rows) {
+        form.Add(row.weights, row.goal, row.matrix);
+        for (double r : row.Residuals(problem.control)) half_sum += 0.5 * r * r;
     }
     const std::vector<double> nowhere(problem.control.size());
     findings.Error(std::abs(form.Evaluate(nowhere, {}) - half_sum) / half_sum, [] { return "the sum of squares"; });

@@ -7,19 +7,14 @@
 #include <string>
 #include <vector>
 
-#include <ceres/cost_function.h>
 #include <solidsubdiv/apps/fit/fit.h>
 
 #include "findings.h"
 
 namespace SolidSubdiv::Validation {
 
-/// Compares the derivatives of one block by its parameters, three numbers a control point, with central differences:
-/// errors over the block's largest derivative. Residuals that begin or cease within a step are left out.
-void CompareJacobian(const ceres::CostFunction& block, const std::vector<Index>& points,
-                     std::span<const double> control, const std::string& what, Findings& findings);
-
-/// Likewise an energy that adds its slope to zeros, (n, 3) as positions are.
+/// Compares the slope of an energy, which it adds to zeros, (n, 3) as positions are, with central differences: errors
+/// over the largest slope.
 void CompareSlope(const std::function<double(std::span<const double>, std::span<double>)>& energy,
                   std::span<const double> at, const std::string& what, Findings& findings);
 

@@ -104,12 +104,9 @@ constexpr std::array kValidators = {
               "what the fairness of fits has against affine images of control meshes of every kind, over the size",
               1e-12, "weights solved for to a hundred units of rounding (2e-16), and ten times that",
               ValidateFitAffine},
-    Validator{
-        "fit-affine-lattice",
-        "box lattices carry a model to its affine image, points being known and fairness on, over the size", 1e-9,
-        "a direct solver of normal equations, in which control points that carry little of the model stand beside "
-        "ones that carry much: it leaves 1e-10",
-        ValidateFitAffineLattice},
+    Validator{"fit-affine-lattice",
+              "box lattices carry a model to its affine image, points being known and fairness on, over the size",
+              1e-12, "as fit-affine's, whose weights these sums are; steps stop at 1e-13", ValidateFitAffineLattice},
     Validator{
         "fit-distances",
         "largest distances of surfaces fitted to the scan from it, and back = CGAL's Hausdorff distances, over the "
@@ -127,11 +124,11 @@ constexpr std::array kValidators = {
               1e-6, "what is asked for; rounds stop there", ValidateFitFreePartners},
     Validator{
         "fit-jacobians",
-        "derivatives of all residuals of rounds, of nearest points with and without normals, of partners, of "
-        "fairness, of the barrier = central differences; over the largest of a block",
+        "slopes of what rounds minimize, of nearest points with and without normals, of partners, of fairness, of the "
+        "barrier = central differences, over the largest; the sum of squares = that of the residuals row by row",
         1e-7,
-        "residuals of size 1 are linear in one coordinate: differences have rounding (1e-16) over the step (1e-5), "
-        "times what a block's largest derivative is below 1",
+        "sums of size 1: differences have rounding (1e-16) over the step (1e-6), times what the largest slope is below "
+        "1",
         ValidateFitJacobians},
     Validator{"fit-known-partners",
               "control meshes of every kind fitted to points of their own limit, regularizers off: control points that "

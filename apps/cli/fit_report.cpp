@@ -49,7 +49,6 @@ std::string Line(const char* name, const Geometry::DistanceSummary& d, double di
 Json FitJson(const FitSummary& s) {
     Json json;
     json["stopped"] = s.result.stopped;
-    json["linear_solver"] = s.result.linear_solver;
     json["folded_corners"] = s.result.n_folded;
     json["surface_to_target"] = DistanceJson(s.result.to_target, s.diagonal);
     json["target_to_surface"] = DistanceJson(s.result.from_target, s.diagonal);

@@ -12,7 +12,8 @@
 
 namespace SolidSubdiv::Fit {
 
-/// As MakeSolidStart, but several starts are tried, each by a few rounds of FitControlPoints. Deterministic, for any
+/// As MakeSolidStart, but several starts are tried by FitControlPoints: all for a few rounds, the nearest third for as
+/// many as it takes. Deterministic, for any
 /// number of threads. Cost: a few seconds for 500 control points, shared by the threads.
 /// @param n_tried [1, 16]
 /// @param trial what the short fits are made to, where that is not the target: a cloud, of the surface around it

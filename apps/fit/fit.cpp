@@ -168,7 +168,7 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
     const std::vector<double> enough = EnoughOf(scaled), best(enough.size(), 1.0);
     const PairFinder finder(scaled, most_points);
     StepSettings settings{scaled, fair_rows, best, options.barrier, options.across};
-    std::vector<LinearBlock::Row> springs;
+    std::vector<LinearRow> springs;
     if (options.spring > 0) AddSpringRows(scaled.neighbors, options.spring, springs);
 
     Result result;
@@ -209,17 +209,15 @@ Result FitControlPoints(const Problem& problem, const Options& options) {
             if (is_least_fair) settings.enough = enough;
             was_least_fair = is_least_fair;
             if (result.stopped == "rounds") {
-                std::vector<LinearBlock::Row> more = springs;
+                std::vector<LinearRow> more = springs;
                 if (options.normals > 0) {
                     // Directions are worth something once places are about right: before, they keep parts from turning.
                     const double part = std::max(1.0, widening * widening);
                     AddTangentRows(scaled.surface, of_surface, control, options.normals / part, more);
                 }
                 settings.more = more;
-                const StepReport report = SolveStep(settings, pairs, fairness, control);
+                round.steps = SolveStep(settings, pairs, fairness, control);
                 Mirror(scaled, control);
-                round.steps = report.steps;
-                result.linear_solver = report.linear_solver;
             }
             round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             result.rounds.push_back(round);

@@ -9,7 +9,7 @@
 // The surface is linear in the control points: positions = rows * control points. So are its derivatives by them, which
 // are the rows themselves: nothing is differentiated by machine. Each round looks for the nearest points both ways (of
 // the surface's vertices on the target, so that nothing sticks out, and of the target's points on the surface, so that
-// nothing of it is missed), keeps them for a least-squares problem that Ceres solves, and begins again.
+// nothing of it is missed), keeps them for a problem that Ceres solves, and begins again.
 //
 // What is minimized, with lengths measured in diagonals of the target's box:
 //     sum over both ways of the mean of |M d|^2, d from a point to its nearest, where M leaves what is along the
@@ -24,8 +24,7 @@
 //         the same where it is well above 0, smoothly less, never 0, where cells are flat or folded; e is 1 on the way,
 //         and half of what q was at the start when fairness is least
 // Fairness begins high and is halved each round: large movements first, then details. The barrier is made ten times
-// higher as long as corners are folded where rounds come to an end. Without cells, or without a barrier, all is linear
-// least squares; with it Ceres' L-BFGS walks downhill.
+// higher as long as corners are folded where rounds come to an end. Ceres' L-BFGS walks downhill.
 //
 // Source: distances along normals: chen1991modelling; subdivision surfaces fitted by nearest points and linear
 // least-squares in turns, and springs: hoppe1994piecewise.
@@ -130,10 +129,9 @@ struct Result {
     std::vector<double> vertices, to_target_distances, from_target_distances;
     std::vector<Round> rounds;
     Geometry::DistanceSummary to_target, from_target;
-    double normal_rms = 0;      ///< radians: between normals of the surface's vertices and the target's nearest to them
-    int n_folded = 0;           ///< corners of cells of no positive volume
-    std::string stopped;        ///< why: "tolerance", "change", "rounds", "cancelled"
-    std::string linear_solver;  ///< Ceres' name of it
+    double normal_rms = 0;  ///< radians: between normals of the surface's vertices and the target's nearest to them
+    int n_folded = 0;       ///< corners of cells of no positive volume
+    std::string stopped;    ///< why: "tolerance", "change", "rounds", "cancelled"
 };
 
 /// The best so far where progress cancels. Same input, same bits, for any number of threads.

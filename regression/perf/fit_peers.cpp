@@ -19,7 +19,7 @@ namespace {
 using Fit::Internal::Pair;
 using Fit::Internal::StepSettings;
 
-using Row = Fit::Internal::LinearBlock::Row;
+using Row = Fit::Internal::LinearRow;
 
 /// Rows over the control points `points`.
 struct RowsFunctor {
@@ -138,10 +138,10 @@ void SolveByAutoDiff(Blocks blocks, const StepSettings& settings, std::span<cons
     for (std::size_t i = 0; i < settings.problem.corners.size(); ++i) {
         builder.AddCorner(settings.problem.corners[i], settings.enough[i], std::sqrt(settings.barrier));
     }
-    SolveAsOurs(builder.problem(), control.size(), settings.problem.corners.empty() ? 1e10 : 1e4);
+    SolveByTrustRegion(builder.problem(), control.size(), settings.problem.corners.empty() ? 1e10 : 1e4);
 }
 
-void SolveAsOurs(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius) {
+void SolveByTrustRegion(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius) {
     ceres::Solver::Options options;
     options.linear_solver_type = n_unknowns <= 3 * 400 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
     options.preconditioner_type = ceres::JACOBI;

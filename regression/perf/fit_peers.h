@@ -12,15 +12,16 @@ namespace SolidSubdiv::Perf {
 
 enum class Blocks {
     OneARow,  ///< a block a residual row, as one writes it first
-    Grouped   ///< rows together that ours has together
+    Grouped   ///< 256 rows at most that have their largest weight at one control point
 };
 
-/// What Fit::Internal::SolveStep does, with the same settings of the solver, but that derivatives are Ceres' own
+/// What Fit::Internal::SolveStep does, by Levenberg-Marquardt, with derivatives that are Ceres' own
 /// (DynamicAutoDiffCostFunction for rows, AutoDiffCostFunction for corners).
 void SolveByAutoDiff(Blocks blocks, const Fit::Internal::StepSettings& settings,
                      std::span<const Fit::Internal::Pair> pairs, double fairness, std::span<double> control);
 
-/// With the settings of Fit::Internal::SolveStep, on as many threads as there are.
-void SolveAsOurs(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius);
+/// By Levenberg-Marquardt, on as many threads as there are: small problems by a sparse Cholesky decomposition, others
+/// by conjugate gradients, which is quickest for each.
+void SolveByTrustRegion(ceres::Problem& problem, std::size_t n_unknowns, double trust_radius);
 
 }  // namespace SolidSubdiv::Perf

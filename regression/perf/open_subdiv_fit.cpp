@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include <ceres/cost_function.h>
 #include <ceres/problem.h>
 #include <opensubdiv/far/stencilTableFactory.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -18,8 +20,40 @@
 namespace SolidSubdiv::Perf {
 
 namespace Theirs = OpenSubdiv::Far;
-using Fit::Internal::LinearBlock;
+using Fit::Internal::LinearRow;
 using Fit::Internal::Pair;
+
+namespace {
+
+/// A row with its derivatives.
+class RowBlock final : public ceres::CostFunction {
+  public:
+    explicit RowBlock(LinearRow row) : row_(std::move(row)) {
+        set_num_residuals(3);
+        mutable_parameter_block_sizes()->assign(row_.weights.size(), 3);
+    }
+    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+        std::array<double, 3> off{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            off[c] = -row_.goal[c];
+            for (std::size_t j = 0; j < row_.weights.size(); ++j) off[c] += row_.weights[j].second * parameters[j][c];
+        }
+        for (std::size_t r = 0; r < 3; ++r) {
+            residuals[r] = 0;
+            for (std::size_t c = 0; c < 3; ++c) residuals[r] += row_.matrix[3 * r + c] * off[c];
+        }
+        for (std::size_t j = 0; jacobians != nullptr && j < row_.weights.size(); ++j) {
+            if (jacobians[j] == nullptr) continue;
+            for (std::size_t k = 0; k < 9; ++k) jacobians[j][k] = row_.weights[j].second * row_.matrix[k];
+        }
+        return true;
+    }
+
+  private:
+    LinearRow row_;
+};
+
+}  // namespace
 
 struct OpenSubdivFit::State {
     Geometry::Tessellation tessellation;
@@ -105,22 +139,21 @@ void OpenSubdivFit::Solve(const Fit::Internal::StepSettings& settings, std::span
     for (const Pair& pair : pairs) places.push_back(state_->PlaceOf(pair));
     const auto weights = state_->Rows(places);
     ceres::Problem problem;
-    const auto add = [&](const LinearBlock::Row& row) {
-        auto* const block = new LinearBlock(std::span(&row, 1));
+    const auto add = [&](const LinearRow& row) {
         std::vector<double*> parameters;
-        for (Index p : block->control_points()) parameters.push_back(&control[3 * static_cast<std::size_t>(p)]);
-        problem.AddResidualBlock(block, nullptr, parameters);
+        for (const auto& w : row.weights) parameters.push_back(&control[3 * static_cast<std::size_t>(w.first)]);
+        problem.AddResidualBlock(new RowBlock(row), nullptr, parameters);
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        LinearBlock::Row row = RowOf(pairs[i], settings.problem.surface, settings.across);
+        LinearRow row = RowOf(pairs[i], settings.problem.surface, settings.across);
         row.weights = weights[i];
         add(row);
     }
     for (Index i = 0; i < settings.fair_rows.n_rows(); ++i) {
-        const LinearBlock::Row row = Fit::Internal::FairRowOf(settings.fair_rows, i, fairness);
+        const LinearRow row = Fit::Internal::FairRowOf(settings.fair_rows, i, fairness);
         if (!row.weights.empty()) add(row);
     }
-    SolveAsOurs(problem, control.size(), 1e10);
+    SolveByTrustRegion(problem, control.size(), 1e10);
 }
 
 }  // namespace SolidSubdiv::Perf

@@ -19,7 +19,7 @@ class OpenSubdivFit {
     OpenSubdivFit(const Fit::ControlMesh& cage, int rate);
     ~OpenSubdivFit();
 
-    /// What Fit::Internal::SolveStep does, with the same settings of the solver, on as many threads as there are.
+    /// What Fit::Internal::SolveStep does, by Levenberg-Marquardt.
     void Solve(const Fit::Internal::StepSettings& settings, std::span<const Fit::Internal::Pair> pairs, double fairness,
                std::span<double> control) const;
 

@@ -2,7 +2,6 @@
 // Derivatives of fits pass, and wrong ones are caught.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <solidsubdiv/apps/fit/internal/blocks.h>
 
 #include "validation/fit_jacobians.h"
 #include "validation/fit_shapes.h"
@@ -10,42 +9,10 @@
 namespace SolidSubdiv::Validation {
 namespace {
 
-using Fit::Internal::LinearBlock;
 using testing::Contains;
 using testing::HasSubstr;
 
 constexpr double kTolerance = 1e-7;
-
-/// A block one of whose derivatives is off.
-class Spoiled final : public ceres::CostFunction {
-  public:
-    Spoiled(const ceres::CostFunction& block, double by) : block_(block), by_(by) {
-        set_num_residuals(block.num_residuals());
-        *mutable_parameter_block_sizes() = block.parameter_block_sizes();
-    }
-    bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-        block_.Evaluate(parameters, residuals, jacobians);
-        if (jacobians) jacobians[1][4] += by_;
-        return true;
-    }
-
-  private:
-    const ceres::CostFunction& block_;
-    double by_;
-};
-
-TEST(FitJacobiansValidator, CatchesADerivativeThatIsOff) {
-    const LinearBlock::Row row{
-        .weights = {{0, 0.5}, {1, 0.5}}, .goal = {1, 2, 3}, .matrix = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
-    const LinearBlock block(std::span(&row, 1));
-    const std::vector<double> control = {1, 0, 0, 0, 1, 0};
-    Findings good, bad;
-    CompareJacobian(Spoiled(block, 0), block.control_points(), control, "rows", good);
-    EXPECT_TRUE(good.Passes(kTolerance)) << good.where;
-    CompareJacobian(Spoiled(block, 1e-6), block.control_points(), control, "rows", bad);
-    EXPECT_FALSE(bad.Passes(kTolerance));
-    EXPECT_EQ(bad.where, "rows, residual 1, control point 1");
-}
 
 TEST(FitJacobiansValidator, CatchesASlopeThatIsOff) {
     const auto energy_spoiled_by = [](double by) {

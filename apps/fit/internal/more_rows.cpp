@@ -20,8 +20,8 @@ Vec3 ValueOf(const Far::StencilRows<double>& rows, Index row, std::span<const do
 }
 
 /// root * (n . (sum of weight * position)) along n.
-LinearBlock::Row RowAlong(const Vec3& n, double root, std::vector<std::pair<Index, double>> weights) {
-    LinearBlock::Row row{.weights = std::move(weights)};
+LinearRow RowAlong(const Vec3& n, double root, std::vector<std::pair<Index, double>> weights) {
+    LinearRow row{.weights = std::move(weights)};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) row.matrix[3 * i + j] = root * n[i] * n[j];
     }
@@ -31,7 +31,7 @@ LinearBlock::Row RowAlong(const Vec3& n, double root, std::vector<std::pair<Inde
 }  // namespace
 
 void AddTangentRows(const MovingSurface& surface, std::span<const Pair> pairs, std::span<const double> control,
-                    double normals, std::vector<LinearBlock::Row>& rows) {
+                    double normals, std::vector<LinearRow>& rows) {
     std::vector<const Pair*> pair_of(static_cast<std::size_t>(surface.rows.n_rows()));
     for (const Pair& pair : pairs) pair_of[static_cast<std::size_t>(pair.vertices[0])] = &pair;
     std::vector<int> n_tangents(pair_of.size());
@@ -55,7 +55,7 @@ void AddTangentRows(const MovingSurface& surface, std::span<const Pair> pairs, s
     }
 }
 
-void AddSpringRows(std::span<const std::vector<Index>> neighbors, double spring, std::vector<LinearBlock::Row>& rows) {
+void AddSpringRows(std::span<const std::vector<Index>> neighbors, double spring, std::vector<LinearRow>& rows) {
     std::set<std::pair<Index, Index>> springs;
     for (std::size_t p = 0; p < neighbors.size(); ++p) {
         for (Index q : neighbors[p]) springs.insert(std::minmax(static_cast<Index>(p), q));

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
+#include <solidsubdiv/apps/fit/internal/rows.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
@@ -14,9 +14,9 @@ namespace SolidSubdiv::Fit::Internal {
 /// are more than 60 degrees off, at sharp edges, take no part: which side such a vertex meets is chance.
 /// @param pairs of the surface's vertices
 void AddTangentRows(const MovingSurface& surface, std::span<const Pair> pairs, std::span<const double> control,
-                    double normals, std::vector<LinearBlock::Row>& rows);
+                    double normals, std::vector<LinearRow>& rows);
 
 /// `spring` times the mean over pairs of neighbours of |p - q|^2.
-void AddSpringRows(std::span<const std::vector<Index>> neighbors, double spring, std::vector<LinearBlock::Row>& rows);
+void AddSpringRows(std::span<const std::vector<Index>> neighbors, double spring, std::vector<LinearRow>& rows);
 
 }  // namespace SolidSubdiv::Fit::Internal

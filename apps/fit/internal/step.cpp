@@ -1,135 +1,124 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows are grouped by the control point that weighs most in them: blocks of many rows take a hundredth of the time of
-// blocks of one (docs/fitting.md).
+// All rows as one quadratic form, the energy of corners beside it, and Ceres' L-BFGS. Gauss-Newton's steps, which see
+// that energy as a parabola, are refused a dozen times on the way around a corner (docs/decisions/0014).
 #include <solidsubdiv/apps/fit/internal/step.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include <ceres/problem.h>
-#include <ceres/solver.h>
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <Eigen/Dense>
 
-#include <solidsubdiv/apps/fit/internal/smooth_step.h>
+#include <solidsubdiv/apps/fit/internal/corner_shapes.h>
+#include <solidsubdiv/apps/fit/internal/normal_equations.h>
 #include <solidsubdiv/sdc/errors.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
 namespace {
 
-constexpr std::size_t kRowsOfBlock = 256;
+constexpr double kSoftness = 0.05;  // of corners: below a twentieth of a cube's scaled Jacobian it gets steep
 
-Index HeaviestOf(const LinearBlock::Row& row) {
-    return std::max_element(row.weights.begin(), row.weights.end(),
-                            [](const auto& a, const auto& b) { return std::abs(a.second) < std::abs(b.second); })
-        ->first;
-}
-
-class Builder {
+/// Half of what is minimized, times kScale, over movements in which the quadratic form looks alike along every axis of
+/// a point: movement = factor^-T * unknown, factor factor^T the form's block of the point with itself.
+class Objective final : public ceres::FirstOrderFunction {
   public:
-    explicit Builder(std::span<double> control) : control_(control) {}
+    Objective(const StepSettings& settings, const NormalEquations& form, std::span<const double> start)
+        : settings_(settings),
+          form_(form),
+          start_(start),
+          moved_(start.size()),
+          at_(start.size()),
+          slope_(start.size()) {
+        stays_.resize(start.size() / 3);
+        for (Index p : settings.problem.locked) stays_[static_cast<std::size_t>(p)] = true;
+        for (std::size_t p = 0; p < stays_.size(); ++p) {
+            const auto d = form.Diagonal(static_cast<Index>(p));
+            Eigen::Matrix3d block = Eigen::Map<const Eigen::Matrix3d>(d.data());
+            // What corners add where they are well shaped, and cells some thirtieth of the diagonal.
+            block.diagonal().array() += kLeast + 1e3 * settings.barrier;
+            factors_.push_back(block.llt().matrixL());
+        }
+    }
 
-    template <class Block>
-    void Add(Block* block) {
-        std::vector<double*> parameters;
-        for (Index p : block->control_points()) parameters.push_back(&control_[3 * static_cast<std::size_t>(p)]);
-        problem_.AddResidualBlock(block, nullptr, parameters);
+    int NumParameters() const override { return static_cast<int>(start_.size()); }
+
+    bool Evaluate(const double* unknown, double* cost, double* gradient) const override {
+        Move(unknown);
+        *cost = form_.Evaluate(moved_, gradient ? std::span<double>(slope_) : std::span<double>());
+        *cost +=
+            0.5 * settings_.barrier *
+            CornerEnergy(settings_.problem.corners, settings_.enough, settings_.problem.corner_weights, at_, kSoftness,
+                         0.5 * settings_.barrier, gradient ? std::span<double>(slope_) : std::span<double>());
+        *cost *= kScale;
+        if (gradient == nullptr) return true;
+        for (std::size_t p = 0; p < stays_.size(); ++p) {
+            Eigen::Map<Eigen::Vector3d> to(gradient + 3 * p);
+            to.setZero();
+            if (stays_[p]) continue;
+            to = Eigen::Map<const Eigen::Vector3d>(&slope_[3 * p]);
+            to = kScale * factors_[p].triangularView<Eigen::Lower>().solve(to);
+        }
+        return true;
     }
-    void Lock(Index point) {
-        double* const p = &control_[3 * static_cast<std::size_t>(point)];
-        if (problem_.HasParameterBlock(p)) problem_.SetParameterBlockConstant(p);
+
+    /// Where the points are for these unknowns.
+    const std::vector<double>& Move(const double* unknown) const {
+        for (std::size_t p = 0; p < stays_.size(); ++p) {
+            Eigen::Vector3d d = Eigen::Map<const Eigen::Vector3d>(unknown + 3 * p);
+            d = factors_[p].transpose().triangularView<Eigen::Upper>().solve(d);
+            for (std::size_t c = 0; c < 3; ++c) {
+                moved_[3 * p + c] = stays_[p] ? 0 : d[static_cast<Eigen::Index>(c)];
+                at_[3 * p + c] = start_[3 * p + c] + moved_[3 * p + c];
+            }
+        }
+        return at_;
     }
-    ceres::Problem& problem() { return problem_; }
 
   private:
-    std::span<double> control_;
-    ceres::Problem problem_;
+    static constexpr double kScale = 1e6;   // distances of a thousandth of the diagonal give costs of about 1
+    static constexpr double kLeast = 1e-9;  // for points in no row
+    const StepSettings& settings_;
+    const NormalEquations& form_;
+    std::span<const double> start_;
+    std::vector<bool> stays_{};
+    std::vector<Eigen::Matrix3d> factors_{};
+    mutable std::vector<double> moved_, at_, slope_;
 };
-
-void AddRows(const StepSettings& settings, std::span<const Pair> pairs, Builder& builder) {
-    std::map<Index, std::vector<LinearBlock::Row>> groups;
-    const auto add = [&](std::vector<LinearBlock::Row>& rows) {
-        builder.Add(new LinearBlock(rows));
-        rows.clear();
-    };
-    const auto put = [&](const LinearBlock::Row& row) {
-        if (row.weights.empty()) return;
-        auto& rows = groups[HeaviestOf(row)];
-        rows.push_back(row);
-        if (rows.size() == kRowsOfBlock) add(rows);
-    };
-    for (const Pair& pair : pairs) put(RowOf(pair, settings.problem.surface, settings.across));
-    for (const LinearBlock::Row& row : settings.more) put(row);
-    for (auto& group : groups) {
-        if (!group.second.empty()) add(group.second);
-    }
-}
-
-void AddFairness(const StepSettings& settings, double fairness, Builder& builder) {
-    const auto& rows = settings.fair_rows;
-    for (Index i = 0; i < rows.n_rows(); ++i) {
-        const LinearBlock::Row row = FairRowOf(rows, i, fairness);
-        if (!row.weights.empty()) builder.Add(new LinearBlock(std::span(&row, 1)));
-    }
-}
 
 }  // namespace
 
-LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across) {
-    std::map<Index, double> weights;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (pair.weights[k] == 0) continue;
-        const auto indices = surface.rows.Indices(pair.vertices[k]);
-        const auto row = surface.rows.Weights(pair.vertices[k]);
-        for (std::size_t i = 0; i < indices.size(); ++i) weights[indices[i]] += pair.weights[k] * row[i];
+int SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness, std::span<double> control) {
+    const std::vector<double> start(control.begin(), control.end());
+    NormalEquations form(start);
+    for (const Pair& pair : pairs) {
+        const LinearRow row = RowOf(pair, settings.problem.surface, settings.across);
+        if (!row.weights.empty()) form.Add(row.weights, row.goal, row.matrix);
     }
-    LinearBlock::Row row{.weights = {weights.begin(), weights.end()},
-                         .goal = {pair.partner.x, pair.partner.y, pair.partner.z}};
-    const Vec3& n = pair.normal;
-    const bool has_normal = Dot(n, n) > 0;
-    const double root = std::sqrt(has_normal ? across : 1.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            row.matrix[3 * i + j] = std::sqrt(pair.weight) * ((i == j ? root : 0.0) + (1 - root) * n[i] * n[j]);
+    for (const LinearRow& row : settings.more) form.Add(row.weights, row.goal, row.matrix);
+    if (fairness > 0) {
+        for (Index i = 0; i < settings.fair_rows.n_rows(); ++i) {
+            const LinearRow row = FairRowOf(settings.fair_rows, i, fairness);
+            if (!row.weights.empty()) form.Add(row.weights, row.goal, row.matrix);
         }
     }
-    return row;
-}
-
-LinearBlock::Row FairRowOf(const Far::StencilRows<double>& fair_rows, Index point, double fairness) {
-    const auto indices = fair_rows.Indices(point);
-    const auto weights = fair_rows.Weights(point);
-    if (indices.empty()) return {};
-    const double root = std::sqrt(fairness / fair_rows.n_rows());
-    LinearBlock::Row row{.weights = {{point, 1.0}}, .matrix = {root, 0, 0, 0, root, 0, 0, 0, root}};
-    for (std::size_t k = 0; k < indices.size(); ++k) row.weights.emplace_back(indices[k], -weights[k]);
-    return row;
-}
-
-StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness,
-                     std::span<double> control) {
-    if (settings.barrier > 0 && !settings.problem.corners.empty())
-        return SolveSmoothStep(settings, pairs, fairness, control);
-    Builder builder(control);
-    AddRows(settings, pairs, builder);
-    if (fairness > 0) AddFairness(settings, fairness, builder);
-    for (Index p : settings.problem.locked) builder.Lock(p);
-
-    ceres::Solver::Options options;
-    // A direct solver is exact and quick for small problems; conjugate gradients win above (docs/fitting.md).
-    constexpr std::size_t kMostOfDirect = 3 * 400;
-    options.linear_solver_type = control.size() <= kMostOfDirect ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::CGNR;
-    options.preconditioner_type = ceres::JACOBI;
-    options.max_num_iterations = 40;
-    options.function_tolerance = 1e-6;
-    options.initial_trust_region_radius = 1e10;  // all is linear: the first step is the answer
-    // Ceres sums in the order in which its threads come. More of them are a fifth faster, and never twice the same.
-    options.num_threads = 1;
+    // Ceres takes ownership.
+    auto* const objective = new Objective(settings, form, start);
+    const ceres::GradientProblem problem(objective);
+    std::vector<double> unknown(start.size());
+    ceres::GradientProblemSolver::Options options;
+    options.max_num_iterations = 1000;
+    options.function_tolerance = 1e-7;
+    options.gradient_tolerance = 1e-14;
+    options.parameter_tolerance = 1e-9;
     options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &builder.problem(), &summary);
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(options, problem, unknown.data(), &summary);
     if (!summary.IsSolutionUsable()) throw SolverError("fit: " + summary.message);
-    return {summary.num_successful_steps, ceres::LinearSolverTypeToString(summary.linear_solver_type_used)};
+    const std::vector<double>& at = objective->Move(unknown.data());
+    std::copy(at.begin(), at.end(), control.begin());
+    return static_cast<int>(summary.iterations.size()) - 1;
 }
 
 }  // namespace SolidSubdiv::Fit::Internal

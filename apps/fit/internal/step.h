@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One round's least-squares problem, for Ceres.
+// The step of one round.
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
-#include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/pairs.h>
+#include <solidsubdiv/apps/fit/internal/rows.h>
 
 namespace SolidSubdiv::Fit::Internal {
 
@@ -18,21 +16,10 @@ struct StepSettings {
     std::span<const double> enough;             ///< of each corner: the scaled Jacobian at which the barrier ends
     double barrier = 0;
     double across = 0;
-    std::span<const LinearBlock::Row> more{};  ///< rows of other terms (internal/more_rows.h)
+    std::span<const LinearRow> more{};  ///< rows of other terms (internal/more_rows.h)
 };
 
-struct StepReport {
-    int steps = 0;
-    std::string linear_solver{};
-};
-
-/// What a pair is in the sum of squares.
-LinearBlock::Row RowOf(const Pair& pair, const MovingSurface& surface, double across);
-/// Fairness at a control point; no weights where it has none.
-LinearBlock::Row FairRowOf(const Far::StencilRows<double>& fair_rows, Index point, double fairness);
-
-/// Moves `control` to where pairs and fairness are least. @throws SolverError
-StepReport SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness,
-                     std::span<double> control);
+/// Moves `control` to where rows and barrier are least. @return steps of the solver. @throws SolverError
+int SolveStep(const StepSettings& settings, std::span<const Pair> pairs, double fairness, std::span<double> control);
 
 }  // namespace SolidSubdiv::Fit::Internal

@@ -62,8 +62,7 @@ TEST(FindSolidStart, FitsBetterThanStartsDoOnAverage) {
             errors[i] = ErrorAfter(starts[i], target.View());
         }
     });
-    // Short fits guess well, not surely: of eight like this one the worst took a start 1.16 times as far away as the
-    // nearest, where all were 1.8 times as far on average.
+    // Trials guess well, not surely.
     const double mean = std::accumulate(errors.begin(), errors.end(), 0.) / static_cast<double>(errors.size());
     EXPECT_LT(errors[static_cast<std::size_t>(taken - starts.begin())], mean);
 }

@@ -105,13 +105,14 @@ TEST(MakeBoxLattice, HasAboutSoManyPointsAndHoldsTheBox) {
 
 TEST(FitControlPoints, FewPointsWithNormalsGiveABetterShape) {
     SOLIDSUBDIV_LONG_TEST();
-    // Thirty points of an ellipsoid leave much open between them.
+    // Forty points of an ellipsoid leave much open between them.
     const ControlMesh start = SphereCage(2);
     const std::array<double, 3> axes{1, 0.7, 0.5};
     Surface truth = SurfaceOf(MakeProblem(start, Sdc::LinearSurface{}, {}, 8));
+    const std::size_t n = truth.positions.size() / 3, step = n / 40;
     std::vector<double> points, normals;
-    for (std::size_t i = 0; i < truth.positions.size(); i += 3) {
-        double* const p = &truth.positions[i];
+    for (std::size_t v = 0; v < n; ++v) {
+        double* const p = &truth.positions[3 * v];
         const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
         std::array<double, 3> normal{};
         double size = 0;
@@ -120,18 +121,16 @@ TEST(FitControlPoints, FewPointsWithNormalsGiveABetterShape) {
             p[c] *= axes[c] / length;
             size += normal[c] * normal[c];
         }
-        if (i % 51 != 0 || points.size() >= 90) continue;
+        if (v % step != 0) continue;
         points.insert(points.end(), p, p + 3);
         for (double x : normal) normals.push_back(x / std::sqrt(size));
     }
     const Problem problem =
         MakeProblem(start, Sdc::Loop{}, {.positions = points, .triangles = {}, .normals = normals}, 3, 0, true);
     const auto error_with = [&](double weight) {
-        const Result result = FitControlPoints(problem, {.least_fairness = 1e-6, .normals = weight});
-        Problem against = problem;
-        against.target = truth.View();
-        against.control = result.control;
-        return FitControlPoints(against, {.max_rounds = 1, .fairness = 1e6}).to_target.rms;
+        const Result result = FitControlPoints(problem, {.normals = weight});
+        const Geometry::ClosestPoints on_truth(truth.positions, truth.triangles);
+        return MeasureDistance(result.vertices, problem.surface.triangles, on_truth).rms;
     };
     EXPECT_LT(error_with(1e-4), 0.8 * error_with(0));
     EXPECT_THAT(ErrorOf([&] { FitControlPoints(MakeProblem(start, Sdc::Loop{}, truth.View()), {.normals = 1}); }),
@@ -148,13 +147,14 @@ TEST(FitControlPoints, SpringsPlaceWhatNothingElseReaches) {
     start.positions[3 * middle] += 0.1;
     Problem problem = MakeProblem(start, Sdc::CatmullClarkSolid{}, own.View(), 2);
     problem.partners = own.positions;
-    const Result result = FitControlPoints(problem, {.fairness = 0, .least_fairness = 0, .barrier = 0, .spring = 1e-3});
+    const Result result = FitControlPoints(problem, {.fairness = 0, .least_fairness = 0, .barrier = 0, .spring = 0.1});
     for (std::size_t c = 0; c < 3; ++c) {
         double mean = 0;
         for (Index p : problem.neighbors[middle])
             mean += result.control[3 * static_cast<std::size_t>(p) + c] /
                     static_cast<double>(problem.neighbors[middle].size());
-        EXPECT_NEAR(result.control[3 * middle + c], mean, 1e-6);
+        // Steps end when the sum changes by 1e-7 of itself: at its flat bottom that is some 1e-4 of the way there.
+        EXPECT_NEAR(result.control[3 * middle + c], mean, 1e-4);
     }
 }
 

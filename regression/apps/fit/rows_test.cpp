@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derivatives of what is minimized against differences.
 #include <gtest/gtest.h>
-#include <solidsubdiv/apps/fit/internal/blocks.h>
 #include <solidsubdiv/apps/fit/internal/corner_shapes.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
 #include <solidsubdiv/apps/fit/internal/more_rows.h>
 #include <solidsubdiv/apps/fit/internal/normal_equations.h>
+#include <solidsubdiv/apps/fit/internal/rows.h>
 
 #include <functional>
 
@@ -13,63 +13,6 @@
 
 namespace SolidSubdiv::Fit::Internal {
 namespace {
-
-/// The largest difference between a block's derivatives and central differences, over the largest derivative.
-double DerivativeError(
-    const ceres::CostFunction& block, const std::vector<Index>& points, const std::vector<double>& control,
-    const std::function<void(std::vector<double>&)>& spoil = [](auto&) {}) {
-    std::vector<double> x = control;
-    std::vector<double*> parameters;
-    for (Index p : points) parameters.push_back(&x[3 * static_cast<std::size_t>(p)]);
-    const auto n = static_cast<std::size_t>(block.num_residuals());
-    std::vector<std::vector<double>> jacobians(points.size(), std::vector<double>(3 * n));
-    std::vector<double*> pointers;
-    for (auto& j : jacobians) pointers.push_back(j.data());
-    std::vector<double> residuals(n), above(n), below(n);
-    block.Evaluate(parameters.data(), residuals.data(), pointers.data());
-    spoil(jacobians[0]);
-    double error = 0, largest = 1e-30;
-    constexpr double kStep = 1e-5;
-    for (std::size_t b = 0; b < points.size(); ++b) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            double& value = parameters[b][c];
-            const double middle = value;
-            value = middle + kStep;
-            block.Evaluate(parameters.data(), above.data(), nullptr);
-            value = middle - kStep;
-            block.Evaluate(parameters.data(), below.data(), nullptr);
-            value = middle;
-            for (std::size_t i = 0; i < n; ++i) {
-                const double slope = (above[i] - below[i]) / (2 * kStep), told = jacobians[b][3 * i + c];
-                error = std::max(error, std::abs(slope - told));
-                largest = std::max(largest, std::abs(told));
-            }
-        }
-    }
-    return error / largest;
-}
-
-LinearBlock SomeLinearBlock() {
-    TestShapes::Random random(1);
-    std::vector<LinearBlock::Row> rows;
-    for (int i = 0; i < 5; ++i) {
-        LinearBlock::Row row;
-        for (Index p = 0; p < 4; ++p) row.weights.emplace_back((i + 3 * p) % 8, random.Uniform());
-        for (double& x : row.goal) x = random.Uniform();
-        for (double& x : row.matrix) x = random.Uniform();
-        rows.push_back(row);
-    }
-    return LinearBlock(rows);
-}
-
-TEST(Blocks, DerivativesOfRowsAreDifferences) {
-    const LinearBlock block = SomeLinearBlock();
-    // Linear: differences are exact but for rounding, 1e-16 over the step.
-    EXPECT_LT(DerivativeError(block, block.control_points(), BulgedHexes(1).positions), 1e-10);
-    EXPECT_GT(DerivativeError(block, block.control_points(), BulgedHexes(1).positions,
-                              [](std::vector<double>& j) { j[1] += 1e-6; }),
-              1e-7);
-}
 
 /// The largest difference between a told slope and central differences, over the largest slope.
 double SlopeError(const std::function<double(std::span<const double>, std::span<double>)>& energy,
@@ -138,7 +81,7 @@ TEST(NormalEquations, AreTheSumOfSquaresOfTheirRows) {
     NormalEquations form(at);
     double sum = 0;
     for (int i = 0; i < 20; ++i) {
-        LinearBlock::Row row;
+        LinearRow row;
         for (Index p = 0; p < 4; ++p) row.weights.emplace_back((i + 3 * p) % 8, random.Uniform() - 0.3);
         for (double& x : row.goal) x = random.Uniform();
         for (std::size_t r = 0; r < 3; ++r) {
@@ -171,15 +114,10 @@ TEST(NormalEquations, AreTheSumOfSquaresOfTheirRows) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(form.Diagonal(5)[3 * c + 1], b[15 + c] - a[15 + c], 1e-12);
 }
 
-double SumOfSquares(const std::vector<LinearBlock::Row>& rows, std::vector<double> control) {
+double SumOfSquares(const std::vector<LinearRow>& rows, const std::vector<double>& control) {
     double sum = 0;
-    for (const LinearBlock::Row& row : rows) {
-        const LinearBlock block(std::span(&row, 1));
-        std::vector<double*> parameters;
-        for (Index p : block.control_points()) parameters.push_back(&control[3 * static_cast<std::size_t>(p)]);
-        std::array<double, 3> residuals{};
-        block.Evaluate(parameters.data(), residuals.data(), nullptr);
-        for (double r : residuals) sum += r * r;
+    for (const LinearRow& row : rows) {
+        for (double r : row.Residuals(control)) sum += r * r;
     }
     return sum;
 }
@@ -196,7 +134,7 @@ TEST(TangentRows, AreTheMeanOfSquaredCosines) {
         for (Index v = 0; v < n; ++v) {
             pairs.push_back({{v, v, v}, {1, 0, 0}, {}, normal, 0, 1.0 / n});
         }
-        std::vector<LinearBlock::Row> rows;
+        std::vector<LinearRow> rows;
         AddTangentRows(problem.surface, pairs, problem.control, normals, rows);
         return rows;
     };
@@ -211,7 +149,7 @@ TEST(TangentRows, AreTheMeanOfSquaredCosines) {
 
 TEST(SpringRows, AreTheMeanOfSquaredDistances) {
     const std::vector<double> at = {0, 0, 0, 1, 0, 0, 0, 2, 0};
-    std::vector<LinearBlock::Row> rows;
+    std::vector<LinearRow> rows;
     AddSpringRows(std::vector<std::vector<Index>>{{1, 2}, {0}, {0}}, 6, rows);
     EXPECT_EQ(rows.size(), 2u);
     EXPECT_NEAR(SumOfSquares(rows, at), 6 * (1 + 4) / 2., 1e-12);

@@ -140,6 +140,7 @@ TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
 }
 
 TEST_F(CliFit, OpenTargetsGetACageWithAWord_OrASolidWhereAsked) {
+    SOLIDSUBDIV_LONG_TEST();
     // Without the faces around one pole.
     std::istringstream ball(Ball(16));
     std::string open, line;

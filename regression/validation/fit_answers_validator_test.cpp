@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <solidsubdiv/apps/fit/internal/fairness.h>
 
+#include "sanitized.h"
 #include "validation/fit_known_answers.h"
 
 namespace SolidSubdiv::Validation {
@@ -13,6 +14,7 @@ using testing::Contains;
 using testing::HasSubstr;
 
 TEST(FitKnownPartnersValidator, CatchesAControlPointThatIsOff) {
+    SOLIDSUBDIV_LONG_TEST();
     const FitCase solid = FitCasesAround(MakeFitBall(6).View(), 64)[0];
     const Fit::Problem problem = MakeProblem(solid.mesh, solid.scheme, {}, 2);
     std::vector<double> found = problem.control;
@@ -36,6 +38,7 @@ TEST(FitFreePartnersValidator, CatchesFitsThatAreNotNearAndOnesThatHaveNothingTo
 }
 
 TEST(FitAffineValidator, CatchesFairnessWithAWeightThatIsOff) {
+    SOLIDSUBDIV_LONG_TEST();
     const FitCase solid = FitCasesAround(MakeFitBall(6).View(), 64)[0];
     const Fit::Problem problem = MakeProblem(solid.mesh, solid.scheme, {}, 1);
     auto rows = Fit::Internal::AffineRows(problem.control, problem.neighbors);

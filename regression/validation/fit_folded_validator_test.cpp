@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sanitized.h"
 #include "validation/fit_folded.h"
 #include "validation/fit_shapes.h"
 
@@ -14,6 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(FitFoldedValidator, CatchesCellsThatAreTurnedOver) {
+    SOLIDSUBDIV_LONG_TEST();
     for (const FitCase& c : FitCasesAround(MakeFitBall(6).View(), 64)) {
         if (!c.mesh.is_solid()) continue;
         SCOPED_TRACE(c.name);

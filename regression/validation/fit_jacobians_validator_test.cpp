@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sanitized.h"
 #include "validation/fit_jacobians.h"
 #include "validation/fit_shapes.h"
 
@@ -31,6 +32,7 @@ TEST(FitJacobiansValidator, CatchesASlopeThatIsOff) {
 }
 
 TEST(FitJacobiansValidator, AsksForEveryKindOfRow) {
+    SOLIDSUBDIV_LONG_TEST();
     const FitTarget ball = MakeFitBall(5);
     const FitCase solid = FitCasesAround(ball.View(), 64)[0];
     Fit::Problem problem = MakeProblem(solid.mesh, solid.scheme, ball.View(), 1);

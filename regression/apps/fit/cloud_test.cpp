@@ -129,6 +129,7 @@ TEST(CloudShape, KeepsTheHoleOfATorus) {
 }
 
 TEST(CloudShape, TurnsNormalsThatLookInwards) {
+    SOLIDSUBDIV_LONG_TEST();
     const std::vector<double> points = Sphere(1000);
     std::vector<double> outwards = points;
     for (std::size_t i = 0; i < outwards.size(); ++i) outwards[i] = 5 * (points[i] - std::array{3, 2, 1}[i % 3]);
@@ -193,6 +194,7 @@ SphereErrors FitSphere(const std::vector<double>& points, double robust) {
 }
 
 TEST(CloudFit, IsNearerToTheSphereThanItsPointsToEachOther) {
+    SOLIDSUBDIV_LONG_TEST();
     // Points are 0.11 apart. Planes lean by some 0.01; 100 control points alone reach 0.002 on a mesh.
     const SphereErrors errors = FitSphere(Sphere(1000), 0);
     EXPECT_LT(errors.rms, 0.01);

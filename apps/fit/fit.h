@@ -64,8 +64,11 @@ struct Problem {
     std::vector<std::vector<Index>> neighbors;
     /// (n): corner a of a cell and its neighbours there, (b - a) x (c - a) . (d - a) positive at the start.
     std::vector<std::array<Index, 4>> corners;
-    std::vector<double> corner_weights{};  ///< (n): of the barrier at each corner; empty: 1
-    std::vector<Index> locked{};           ///< control points that stay
+    /// Corners of finer cells that must not fold either, of places over control points: the barrier stands there as
+    /// well.
+    Far::StencilRows<double> fine_places{};
+    std::vector<std::array<Index, 4>> fine_corners{};
+    std::vector<Index> locked{};  ///< control points that stay
     /// Pairs of control points that mirror each other in the plane x_axis = offset; (i, i) stays in it.
     std::vector<std::array<Index, 2>> mirrored{};
     int mirror_axis = 0;

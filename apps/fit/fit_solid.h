@@ -6,7 +6,7 @@
 //     lattice.positions = fit.result.control;
 //
 // Corners of control cells may be well shaped although what they are refined into is folded. Where that is so, the
-// barrier of those control cells is made ten times higher, of those alone, and all is fitted again.
+// barrier stands at the corners of those refined cells as well, and all is fitted again.
 #pragma once
 
 #include <solidsubdiv/apps/fit/fit.h>

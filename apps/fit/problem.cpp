@@ -138,8 +138,17 @@ void Problem::Validate() const {
     for (const auto& corner : corners) {
         for (Index p : corner) require_point(p, "a corner");
     }
-    if (!corner_weights.empty() && corner_weights.size() != corners.size()) {
-        fail(std::to_string(corner_weights.size()) + " weights for " + std::to_string(corners.size()) + " corners");
+    if (fine_places.n_rows() > 0 && static_cast<std::size_t>(fine_places.n_sources) != n) {
+        fail("fine places are of " + std::to_string(fine_places.n_sources) + " control points; there are " +
+             std::to_string(n));
+    }
+    for (const auto& corner : fine_corners) {
+        for (Index p : corner) {
+            if (p < 0 || p >= fine_places.n_rows()) {
+                fail("a fine corner names place " + std::to_string(p) + "; there are " +
+                     std::to_string(fine_places.n_rows()));
+            }
+        }
     }
     for (Index p : locked) require_point(p, "locked");
     for (const auto& pair : mirrored) {

@@ -30,7 +30,9 @@ class Objective final : public ceres::FirstOrderFunction {
           start_(start),
           moved_(start.size()),
           at_(start.size()),
-          slope_(start.size()) {
+          slope_(start.size()),
+          fine_{settings.problem.fine_places, {}},
+          fine_enough_(settings.problem.fine_corners.size(), kEnoughOfFine) {
         stays_.resize(start.size() / 3);
         for (Index p : settings.problem.locked) stays_[static_cast<std::size_t>(p)] = true;
         for (std::size_t p = 0; p < stays_.size(); ++p) {
@@ -47,10 +49,10 @@ class Objective final : public ceres::FirstOrderFunction {
     bool Evaluate(const double* unknown, double* cost, double* gradient) const override {
         Move(unknown);
         *cost = form_.Evaluate(moved_, gradient ? std::span<double>(slope_) : std::span<double>());
-        *cost +=
-            0.5 * settings_.barrier *
-            CornerEnergy(settings_.problem.corners, settings_.enough, settings_.problem.corner_weights, at_, kSoftness,
-                         0.5 * settings_.barrier, gradient ? std::span<double>(slope_) : std::span<double>());
+        *cost += 0.5 * settings_.barrier *
+                 CornerEnergy(settings_.problem.corners, settings_.enough, {}, at_, kSoftness, 0.5 * settings_.barrier,
+                              gradient ? std::span<double>(slope_) : std::span<double>());
+        *cost += AddFineCorners(gradient != nullptr);
         *cost *= kScale;
         if (gradient == nullptr) return true;
         for (std::size_t p = 0; p < stays_.size(); ++p) {
@@ -77,14 +79,38 @@ class Objective final : public ceres::FirstOrderFunction {
     }
 
   private:
+    /// Their energy; adds its slope. Places are sums of control points, so the slope goes back by the same weights.
+    double AddFineCorners(bool with_slope) const {
+        const Problem& p = settings_.problem;
+        if (p.fine_corners.empty()) return 0;
+        const std::vector<double> at = fine_.Positions(at_);
+        const double factor = 0.5 * settings_.barrier;
+        std::vector<double> slope(with_slope ? at.size() : 0);
+        const double energy = CornerEnergy(p.fine_corners, fine_enough_, {}, at, kSoftness, factor, slope);
+        for (Index v = 0; with_slope && v < p.fine_places.n_rows(); ++v) {
+            const auto indices = p.fine_places.Indices(v);
+            const auto weights = p.fine_places.Weights(v);
+            for (std::size_t k = 0; k < indices.size(); ++k) {
+                for (std::size_t c = 0; c < 3; ++c) {
+                    slope_[3 * static_cast<std::size_t>(indices[k]) + c] +=
+                        weights[k] * slope[3 * static_cast<std::size_t>(v) + c];
+                }
+            }
+        }
+        return factor * energy;
+    }
+
     static constexpr double kScale = 1e6;   // distances of a thousandth of the diagonal give costs of about 1
     static constexpr double kLeast = 1e-9;  // for points in no row
+    static constexpr double kEnoughOfFine = 0.35;
     const StepSettings& settings_;
     const NormalEquations& form_;
     std::span<const double> start_;
     std::vector<bool> stays_{};
     std::vector<Eigen::Matrix3d> factors_{};
     mutable std::vector<double> moved_, at_, slope_;
+    MovingSurface fine_;  ///< the fine places
+    std::vector<double> fine_enough_;
 };
 
 }  // namespace

@@ -78,6 +78,7 @@ TEST(FitSolid, SaysHowManyOfItsCellsAreFolded) {
         mesh.positions = fit->result.control;
         EXPECT_EQ(static_cast<Offset>(FoldedCells(mesh, scheme).size()), fit->n_folded);
     }
+    EXPECT_FALSE(free.problem.fine_corners.empty());
     EXPECT_THROW(FitSolid(SphereCage(1), Sdc::Loop{}, target.View(), {}), InvalidInput);
 }
 

@@ -231,6 +231,28 @@ TEST(FitControlPoints, TheBarrierKeepsCellsPositive) {
     EXPECT_EQ(kept.n_folded, 0);
 }
 
+TEST(FitControlPoints, PlacesOverControlPointsAreKeptFromFolding) {
+    // A tet whose apex is drawn through its base; its own corner is no concern of the barrier, but its middles' is.
+    ControlMesh tet{.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, .tets = {0, 1, 2, 3}};
+    Problem problem = MakeProblem(tet, Sdc::LinearSolid{}, {}, 1);
+    problem.partners = problem.surface.Positions(problem.control);
+    for (std::size_t v = 0; v < problem.partners.size(); v += 3) problem.partners[v + 2] *= -0.5;
+    problem.corners.clear();
+    const Options options{.max_rounds = 30, .fairness = 0, .least_fairness = 0, .barrier = 1};
+    EXPECT_LT(FitControlPoints(problem, options).control[11], 0);
+    // Half-way from the first corner to each of the four.
+    problem.fine_places.n_sources = 4;
+    for (Index k = 0; k < 4; ++k) {
+        for (Index p : {0, k}) {
+            problem.fine_places.indices.push_back(p);
+            problem.fine_places.weights.push_back(0.5);
+        }
+        problem.fine_places.offsets.push_back(2 * (k + 1));
+    }
+    problem.fine_corners = {{0, 1, 2, 3}};
+    EXPECT_GT(FitControlPoints(problem, options).control[11], 0);
+}
+
 TEST(FitControlPoints, ThreadsChangeNothing) {
     const Case c = Cases()[0];
     Problem problem = MakeProblem(c.mesh, c.scheme, {}, 3);
@@ -286,6 +308,10 @@ TEST(FitControlPoints, WhatMakesNoSenseIsRefused) {
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.control.resize(9); }), HasSubstr("control points"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.locked = {99}; }), HasSubstr("locked names control point 99"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.partners.resize(9); }), HasSubstr("3 partners"));
+    EXPECT_THAT(error_of([](Problem& p, Options&) {
+                    p.fine_corners = {{0, 1, 2, 3}};
+                }),
+                HasSubstr("a fine corner names place 0"));
     EXPECT_THAT(error_of([](Problem& p, Options&) { p.mirror_axis = 3; }), HasSubstr("mirror_axis"));
     EXPECT_THAT(error_of([](Problem&, Options& o) { o.fairness = -1; }), HasSubstr("fairness"));
     EXPECT_THAT(error_of([](Problem&, Options& o) { o.across = 2; }), HasSubstr("across"));

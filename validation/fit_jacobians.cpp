@@ -80,7 +80,7 @@ void CheckJacobians(const Fit::Problem& problem, double robust, Findings& findin
     if (problem.corners.size() < 2) findings.Fault("the barrier stands nowhere or everywhere");
     constexpr double kSoftness = 0.3, kFactor = 0.7;
     const auto barrier = [&](std::span<const double> at, std::span<double> slope) {
-        return kFactor * CornerEnergy(problem.corners, enough, {}, at, kSoftness, kFactor, slope);
+        return kFactor * CornerEnergy(problem.corners, enough, at, kSoftness, kFactor, slope);
     };
     CompareSlope(barrier, problem.control, "barrier", findings);
 }

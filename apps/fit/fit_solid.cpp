@@ -18,28 +18,6 @@ namespace SolidSubdiv::Fit {
 
 namespace {
 
-/// The control cell that a refined one comes from (vtr/refinement.h, vtr/polyhedral_refinement.h).
-/// @param n_tets of the control mesh
-Index ControlCellOf(Index cell, Index n_tets, Index n_octs, bool is_hexahedral) {
-    if (is_hexahedral) return cell >> (3 * kFoldLevel);
-    std::vector<std::pair<Index, Index>> counts = {{n_tets, n_octs}};
-    for (int level = 0; level < kFoldLevel; ++level) {
-        const auto [tets, octs] = counts.back();
-        counts.emplace_back(4 * tets + 8 * octs, tets + 6 * octs);
-    }
-    for (int level = kFoldLevel; level > 0; --level) {
-        const Index tets = counts[static_cast<std::size_t>(level)].first;
-        const auto [up_tets, up_octs] = counts[static_cast<std::size_t>(level - 1)];
-        if (cell < tets) {
-            cell = cell < 4 * up_tets ? cell / 4 : up_tets + (cell - 4 * up_tets) / 8;
-        } else {
-            const Index oct = cell - tets;
-            cell = oct < up_tets ? oct : up_tets + (oct - up_tets) / 6;
-        }
-    }
-    return cell;
-}
-
 Far::TopologyRefiner RefinerOf(const ControlMesh& mesh) {
     auto refiner =
         Far::TopologyRefiner::Create(mesh.View(), mesh.hexes.empty() ? Sdc::Split::TetOct : Sdc::Split::Polyhedral);
@@ -69,15 +47,6 @@ std::vector<Index> FoldedFineCells(const Far::TopologyRefiner& refiner, const Sd
         if (cells[c].sign == Geometry::MinimumSign::Negative) folded.push_back(static_cast<Index>(c));
     }
     return folded;
-}
-
-std::vector<Index> ControlCellsOf(const std::vector<Index>& fine, const ControlMesh& mesh) {
-    std::vector<Index> cells;
-    for (Index c : fine) {
-        cells.push_back(ControlCellOf(c, static_cast<Index>(mesh.tets.size() / 4),
-                                      static_cast<Index>(mesh.octs.size() / 6), !mesh.hexes.empty()));
-    }
-    return cells;
 }
 
 /// Limits of vertices of kFoldLevel over the control points.
@@ -142,7 +111,7 @@ void KeepFromFolding(const std::set<Index>& cells, const Far::TopologyRefiner& r
 }  // namespace
 
 std::vector<Index> FoldedCells(const ControlMesh& mesh, const Sdc::Scheme& scheme) {
-    return ControlCellsOf(FoldedFineCells(RefinerOf(mesh), scheme, mesh.positions), mesh);
+    return FoldedFineCells(RefinerOf(mesh), scheme, mesh.positions);
 }
 
 SolidFit FitSolid(const ControlMesh& start, const Sdc::Scheme& scheme, const TargetSurface& target,

@@ -20,11 +20,11 @@ struct SolidFit {
     Offset n_folded = 0;  ///< of the limit's cells at kFoldLevel, in the result
 };
 
-/// The level at which the limit's cells are looked at: 64 of them in each control cell.
+/// The level at which the limit's cells are looked at: 64 of them in each hexahedron.
 inline constexpr int kFoldLevel = 2;
 
-/// Numbers of the control cells (hexahedra; or tets, then octahedra) that hold limit cells which are folded, each as
-/// often as it holds one. @throws InvalidInput where the scheme can't refine the mesh
+/// Numbers of the limit's cells at kFoldLevel that are folded (hexahedra; or tets, then octahedra).
+/// @throws InvalidInput where the scheme can't refine the mesh
 std::vector<Index> FoldedCells(const ControlMesh& mesh, const Sdc::Scheme& scheme);
 
 /// Of all fits that were made the one with the fewest folded cells, among these the first.

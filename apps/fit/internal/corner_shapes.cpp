@@ -29,8 +29,7 @@ double CornerQuality(const std::array<Index, 4>& corner, std::span<const double>
 }
 
 double CornerEnergy(std::span<const std::array<Index, 4>> corners, std::span<const double> enough,
-                    std::span<const double> weights, std::span<const double> positions, double softness, double factor,
-                    std::span<double> slope) {
+                    std::span<const double> positions, double softness, double factor, std::span<double> slope) {
     const auto root_of = [softness](double q) { return std::sqrt(q * q + 4 * softness * softness); };
     const auto one_over_chi = [softness, root_of](double q) {
         // The second is the same, but has digits where q is negative.
@@ -43,10 +42,9 @@ double CornerEnergy(std::span<const std::array<Index, 4>> corners, std::span<con
         const double q = edges.Quality();
         if (q >= enough[i]) continue;
         const double steep = one_over_chi(q), off = steep - one_over_chi(enough[i]);
-        const double weight = weights.empty() ? 1 : weights[i];
-        sum += weight * off * off;
+        sum += off * off;
         if (slope.empty() || !(edges.lengths > 0)) continue;
-        const double by_quality = -2 * factor * weight * off * steep / root_of(q);
+        const double by_quality = -2 * factor * off * steep / root_of(q);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3& e = edges.e[k];
             const Vec3 by_edge = by_quality * (1 / edges.lengths * Cross(edges.e[(k + 1) % 3], edges.e[(k + 2) % 3]) -

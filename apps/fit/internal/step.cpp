@@ -50,7 +50,7 @@ class Objective final : public ceres::FirstOrderFunction {
         Move(unknown);
         *cost = form_.Evaluate(moved_, gradient ? std::span<double>(slope_) : std::span<double>());
         *cost += 0.5 * settings_.barrier *
-                 CornerEnergy(settings_.problem.corners, settings_.enough, {}, at_, kSoftness, 0.5 * settings_.barrier,
+                 CornerEnergy(settings_.problem.corners, settings_.enough, at_, kSoftness, 0.5 * settings_.barrier,
                               gradient ? std::span<double>(slope_) : std::span<double>());
         *cost += AddFineCorners(gradient != nullptr);
         *cost *= kScale;
@@ -86,7 +86,7 @@ class Objective final : public ceres::FirstOrderFunction {
         const std::vector<double> at = fine_.Positions(at_);
         const double factor = 0.5 * settings_.barrier;
         std::vector<double> slope(with_slope ? at.size() : 0);
-        const double energy = CornerEnergy(p.fine_corners, fine_enough_, {}, at, kSoftness, factor, slope);
+        const double energy = CornerEnergy(p.fine_corners, fine_enough_, at, kSoftness, factor, slope);
         for (Index v = 0; with_slope && v < p.fine_places.n_rows(); ++v) {
             const auto indices = p.fine_places.Indices(v);
             const auto weights = p.fine_places.Weights(v);

@@ -6,9 +6,6 @@
 #include <solidsubdiv/apps/fit/fit_solid.h>
 #include <solidsubdiv/sdc/errors.h>
 
-#include <map>
-#include <set>
-
 #include "apps/fit/fit_testing.h"
 #include "sanitized.h"
 
@@ -25,11 +22,8 @@ TEST(FoldedCells, NoneWhereNoneIsFolded) {
     EXPECT_THAT(FoldedCells(BulgedTets(2), Sdc::BoxSpline{}), testing::IsEmpty());
 }
 
-TEST(FoldedCells, EveryCellOfAMirroredMeshAsOftenAsItHasParts) {
-    std::map<Index, int> count;
-    for (Index cell : FoldedCells(Mirrored(BulgedHexes(2)), Sdc::CatmullClarkSolid{})) ++count[cell];
-    ASSERT_EQ(count.size(), 8u);
-    for (const auto& c : count) EXPECT_EQ(c.second, 64) << "hexahedron " << c.first;
+TEST(FoldedCells, AllOfAMirroredMesh) {
+    EXPECT_EQ(FoldedCells(Mirrored(BulgedHexes(2)), Sdc::CatmullClarkSolid{}).size(), 8u * 64);
 
     ControlMesh tets_and_octahedron = BulgedTets(2);
     const Index first = tets_and_octahedron.n_vertices();
@@ -41,11 +35,8 @@ TEST(FoldedCells, EveryCellOfAMirroredMeshAsOftenAsItHasParts) {
     const auto n_tets = static_cast<Index>(mesh.tets.size() / 4), n_octs = static_cast<Index>(mesh.octs.size() / 6);
     ASSERT_GT(n_tets, 1);
     ASSERT_EQ(n_octs, 1);
-    count.clear();
-    for (Index cell : FoldedCells(mesh, Sdc::BoxSpline{})) ++count[cell];
-    ASSERT_EQ(count.size(), static_cast<std::size_t>(n_tets + n_octs));
     // A tet has 4 tets and an octahedron, an octahedron 8 tets and 6 octahedra.
-    for (const auto& c : count) EXPECT_EQ(c.second, c.first < n_tets ? 34 : 124) << "cell " << c.first;
+    EXPECT_EQ(FoldedCells(mesh, Sdc::BoxSpline{}).size(), static_cast<std::size_t>(34 * n_tets + 124 * n_octs));
 }
 
 TEST(FoldedCells, APlantedFoldIsFoundWhereItIs) {
@@ -54,8 +45,9 @@ TEST(FoldedCells, APlantedFoldIsFoundWhereItIs) {
     for (std::size_t c = 0; c < 3; ++c) mesh.positions[c] = 3 * mesh.positions[3 * 21 + c] - 2 * mesh.positions[c];
     const std::vector<Index> folded = FoldedCells(mesh, Sdc::CatmullClarkSolid{});
     ASSERT_FALSE(folded.empty());
-    EXPECT_THAT(folded, testing::Contains(0));
-    EXPECT_LT(std::set<Index>(folded.begin(), folded.end()).size(), 9u);
+    // The first cell's are the first 64.
+    EXPECT_THAT(folded, testing::Contains(testing::Lt(64)));
+    EXPECT_LT(folded.size(), 9u * 64);
 }
 
 TEST(FitSolid, SaysHowManyOfItsCellsAreFolded) {

@@ -39,7 +39,7 @@ TEST(CornerEnergy, ItsSlopeIsADifference_WhereCellsAreFoldedToo) {
     // Any corners, well shaped, flat and folded ones.
     const std::vector<double> control = BulgedHexes(1).positions;
     const std::vector<std::array<Index, 4>> corners = {{0, 1, 2, 4}, {1, 3, 0, 5}, {2, 0, 3, 6}, {7, 6, 5, 3}};
-    const std::vector<double> enough = {1, 0.9, 1, 1}, weights = {1, 2, 0.5, 3};
+    const std::vector<double> enough = {1, 0.9, 1, 1};
     double least = 1, most = -1;
     for (const auto& corner : corners) {
         least = std::min(least, CornerQuality(corner, control));
@@ -49,7 +49,7 @@ TEST(CornerEnergy, ItsSlopeIsADifference_WhereCellsAreFoldedToo) {
     ASSERT_GT(most, 0.5);
     for (double softness : {0.05, 0.5}) {
         const auto energy = [&](std::span<const double> at, std::span<double> slope) {
-            return 0.7 * CornerEnergy(corners, enough, weights, at, softness, 0.7, slope);
+            return 0.7 * CornerEnergy(corners, enough, at, softness, 0.7, slope);
         };
         // Differences err by the square of the step, over that of the softness, and by 1e-16 over the step.
         EXPECT_LT(SlopeError(energy, control, 1e-6), 1e-7) << softness;
@@ -63,14 +63,14 @@ TEST(CornerEnergy, IsNoneForACubeAndGrowsAsItFlattens) {
     double last = -1;
     for (double height : {1.0, 0.3, 0.1, 0.01, 0.0, -0.01, -0.1, -1.0}) {
         const std::vector<double> at = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0.1, 0, height};
-        const double energy = CornerEnergy(corner, enough, {}, at, 0.05, 1, {});
+        const double energy = CornerEnergy(corner, enough, at, 0.05, 1, {});
         if (height == 1.0) {
             EXPECT_EQ(energy, 0);
         }
         EXPECT_GT(energy, last) << height;
         last = energy;
     }
-    EXPECT_TRUE(std::isfinite(CornerEnergy(corner, enough, {}, std::vector<double>(12), 0.05, 1, {})));
+    EXPECT_TRUE(std::isfinite(CornerEnergy(corner, enough, std::vector<double>(12), 0.05, 1, {})));
 }
 
 TEST(NormalEquations, AreTheSumOfSquaresOfTheirRows) {

@@ -93,27 +93,6 @@ std::vector<double> DistancesOf(std::span<const double> points, const Geometry::
     return distances;
 }
 
-void Measure(const Problem& problem, Result& result) {
-    const MovingSurface& surface = problem.fine.triangles.empty() ? problem.surface : problem.fine;
-    const TargetSurface& target = problem.target;
-    result.vertices = surface.Positions(result.control);
-    if (target.positions.empty()) return;
-    const Geometry::ClosestPoints on_target(target.positions, target.triangles);
-    const Geometry::ClosestPoints on_surface(result.vertices, surface.triangles);
-    const Coverage coverage(target);
-    const auto is_over_hole = [&](const Geometry::ClosestPoint& nearest, const std::array<double, 3>& p,
-                                  Index triangle) {
-        const TargetSurface own{.positions = result.vertices, .triangles = surface.triangles};
-        return !coverage.Covers(nearest, {p[0], p[1], p[2]}, NormalOf(own, triangle));
-    };
-    result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target, {.is_left_out = is_over_hole});
-    result.from_target = MeasureDistance(target.positions, target.triangles, on_surface);
-    const auto nearest = on_target.Find(result.vertices);
-    for (const Geometry::ClosestPoint& p : nearest) result.to_target_distances.push_back(p.distance);
-    result.normal_rms = NormalRms(result.vertices, surface.triangles, target, nearest);
-    result.from_target_distances = DistancesOf(target.positions, on_surface);
-}
-
 /// Of the last round, for those who watch.
 std::string ErrorText(std::span<const Round> rounds, double diagonal) {
     if (rounds.empty()) return {};
@@ -144,6 +123,27 @@ void Options::Validate() const {
     RequireRange("points_per_control", points_per_control, 1, 1e6);
     RequireRange("tolerance", tolerance, 0, 1e75);
     RequireRange("least_change", least_change, 0, 1);
+}
+
+void Measure(const Problem& problem, Result& result) {
+    const MovingSurface& surface = problem.fine.triangles.empty() ? problem.surface : problem.fine;
+    const TargetSurface& target = problem.target;
+    result.vertices = surface.Positions(result.control);
+    if (target.positions.empty()) return;
+    const Geometry::ClosestPoints on_target(target.positions, target.triangles);
+    const Geometry::ClosestPoints on_surface(result.vertices, surface.triangles);
+    const Coverage coverage(target);
+    const auto is_over_hole = [&](const Geometry::ClosestPoint& nearest, const std::array<double, 3>& p,
+                                  Index triangle) {
+        const TargetSurface own{.positions = result.vertices, .triangles = surface.triangles};
+        return !coverage.Covers(nearest, {p[0], p[1], p[2]}, NormalOf(own, triangle));
+    };
+    result.to_target = MeasureDistance(result.vertices, surface.triangles, on_target, {.is_left_out = is_over_hole});
+    result.from_target = MeasureDistance(target.positions, target.triangles, on_surface);
+    const auto nearest = on_target.Find(result.vertices);
+    for (const Geometry::ClosestPoint& p : nearest) result.to_target_distances.push_back(p.distance);
+    result.normal_rms = NormalRms(result.vertices, surface.triangles, target, nearest);
+    result.from_target_distances = DistancesOf(target.positions, on_surface);
 }
 
 Result FitControlPoints(const Problem& problem, const Options& options) {

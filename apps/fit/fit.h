@@ -137,6 +137,9 @@ struct Result {
     std::string stopped;    ///< why: "tolerance", "change", "rounds", "cancelled"
 };
 
+/// Fills in what Options::is_measured asks for: vertices and distances of a result.
+void Measure(const Problem& problem, Result& result);
+
 /// The best so far where progress cancels. Same input, same bits, for any number of threads.
 /// @throws InvalidInput, SolverError
 Result FitControlPoints(const Problem& problem, const Options& options);

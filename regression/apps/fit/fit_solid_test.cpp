@@ -18,32 +18,32 @@ ControlMesh Mirrored(ControlMesh mesh) {
 }
 
 TEST(FoldedCells, NoneWhereNoneIsFolded) {
-    EXPECT_THAT(FoldedCells(BulgedHexes(2), Sdc::CatmullClarkSolid{}), testing::IsEmpty());
-    EXPECT_THAT(FoldedCells(BulgedTets(2), Sdc::BoxSpline{}), testing::IsEmpty());
+    EXPECT_THAT(FoldedCells(BulgedHexes(2), Sdc::CatmullClarkSolid{}, 2), testing::IsEmpty());
+    EXPECT_THAT(FoldedCells(BulgedTets(2), Sdc::BoxSpline{}, 2), testing::IsEmpty());
 }
 
 TEST(FoldedCells, AllOfAMirroredMesh) {
-    EXPECT_EQ(FoldedCells(Mirrored(BulgedHexes(2)), Sdc::CatmullClarkSolid{}).size(), 8u * 64);
+    EXPECT_EQ(FoldedCells(Mirrored(BulgedHexes(2)), Sdc::CatmullClarkSolid{}, 2).size(), 8u * 64);
 
     ControlMesh tets_and_octahedron = BulgedTets(2);
     const Index first = tets_and_octahedron.n_vertices();
     for (double x : {5., 0., 0., 7., 0., 0., 6., -1., 0., 6., 1., 0., 6., 0., -1., 6., 0., 1.})
         tets_and_octahedron.positions.push_back(x);
     for (Index v : {0, 1, 2, 3, 4, 5}) tets_and_octahedron.octs.push_back(first + v);
-    ASSERT_THAT(FoldedCells(tets_and_octahedron, Sdc::BoxSpline{}), testing::IsEmpty());
+    ASSERT_THAT(FoldedCells(tets_and_octahedron, Sdc::BoxSpline{}, 2), testing::IsEmpty());
     const ControlMesh mesh = Mirrored(tets_and_octahedron);
     const auto n_tets = static_cast<Index>(mesh.tets.size() / 4), n_octs = static_cast<Index>(mesh.octs.size() / 6);
     ASSERT_GT(n_tets, 1);
     ASSERT_EQ(n_octs, 1);
     // A tet has 4 tets and an octahedron, an octahedron 8 tets and 6 octahedra.
-    EXPECT_EQ(FoldedCells(mesh, Sdc::BoxSpline{}).size(), static_cast<std::size_t>(34 * n_tets + 124 * n_octs));
+    EXPECT_EQ(FoldedCells(mesh, Sdc::BoxSpline{}, 2).size(), static_cast<std::size_t>(34 * n_tets + 124 * n_octs));
 }
 
 TEST(FoldedCells, APlantedFoldIsFoundWhereItIs) {
     ControlMesh mesh = BulgedHexes(3);
     // A corner of the block, pushed through the cell that has it.
     for (std::size_t c = 0; c < 3; ++c) mesh.positions[c] = 3 * mesh.positions[3 * 21 + c] - 2 * mesh.positions[c];
-    const std::vector<Index> folded = FoldedCells(mesh, Sdc::CatmullClarkSolid{});
+    const std::vector<Index> folded = FoldedCells(mesh, Sdc::CatmullClarkSolid{}, 2);
     ASSERT_FALSE(folded.empty());
     // The first cell's are the first 64.
     EXPECT_THAT(folded, testing::Contains(testing::Lt(64)));
@@ -68,7 +68,7 @@ TEST(FitSolid, SaysHowManyOfItsCellsAreFolded) {
     for (const SolidFit* fit : {&kept, &free}) {
         ControlMesh mesh = start;
         mesh.positions = fit->result.control;
-        EXPECT_EQ(static_cast<Offset>(FoldedCells(mesh, scheme).size()), fit->n_folded);
+        EXPECT_EQ(static_cast<Offset>(FoldedCells(mesh, scheme, fit->level).size()), fit->n_folded);
     }
     EXPECT_FALSE(free.problem.fine_corners.empty());
     EXPECT_THROW(FitSolid(SphereCage(1), Sdc::Loop{}, target.View(), {}), InvalidInput);

@@ -53,9 +53,11 @@ Work AddFit(CLI::App& command) {
         ->option_text("N")
         ->check(CLI::Range(8, 100'000));
     command
-        .add_option("--creases", o.creases,
-                    "of cages: edges of the target that bend by more degrees\nbecome creases; 0: none; default 50 for "
-                    "parts whose edges are\nsharp or not, none for scans")
+        .add_option(
+            "--creases", o.creases,
+            "of cages and lattices of tets: edges of the target that bend\nby more degrees become creases; 0: "
+            "none; default 50 for parts\nwhose edges are sharp or not, none for scans. Solids with creases\nare "
+            "of tets (box-spline) if no --scheme is given")
         ->option_text("D")
         ->check(CLI::Range(0.0, 179.0));
     command.add_option("--levels", o.levels, "refinements of the solid in fitted.vtu; default 3")
@@ -117,7 +119,7 @@ Work AddFit(CLI::App& command) {
         "\n\nExamples:\n"
         "  solidsubdiv fit bunny.obj -o fitted --control 150 --levels 2\n"
         "  solidsubdiv fit bunny.obj -o cage --model surface --scheme loop --control 200 --json -\n"
-        "  solidsubdiv fit bunny.obj -o tets --scheme box-spline --control 150 --levels 2 --robust 3\n"
+        "  solidsubdiv fit part.obj -o part --scheme box-spline --creases 40 --control 100 --levels 2\n"
         "  solidsubdiv fit deformed.obj -o carried --template bunny.obj --control 200\n"
         "  solidsubdiv fit labels.nii.gz -o caudate --label 1 --control 100\n"
         "  solidsubdiv fit scan.xyz -o fitted --robust 3 --control 100");

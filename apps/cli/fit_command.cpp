@@ -16,6 +16,7 @@
 #include <solidsubdiv/apps/fit/find_start.h>
 #include <solidsubdiv/apps/fit/fit_solid.h>
 #include <solidsubdiv/apps/fit/start.h>
+#include <solidsubdiv/far/choose_diagonals.h>
 #include <solidsubdiv/kit/geometry/cell_quality.h>
 #include <solidsubdiv/kit/io/creases.h>
 #include <solidsubdiv/kit/io/formats.h>
@@ -126,7 +127,14 @@ class FitCommand {
     void ChooseScheme() {
         SchemeOptions scheme = options_.scheme;
         const bool has_cells = is_solid_ || is_lattice_;
-        if (scheme.scheme.empty()) scheme.scheme = has_cells ? "catmull-clark-solid" : "loop";
+        if (!is_lattice_ && !target_.Surface().triangles.empty()) {
+            crease_degrees_ = options_.creases >= 0 ? options_.creases : Fit::SharpAngle(target_.Surface());
+        }
+        if (scheme.scheme.empty()) {
+            // Creases are cut into tets.
+            const bool is_sharp_solid = is_solid_ && crease_degrees_ > 0;
+            scheme.scheme = is_sharp_solid ? "box-spline" : has_cells ? "catmull-clark-solid" : "loop";
+        }
         // The cells that a scheme was made for: of solids by what its own default mesh is.
         is_tet_oct_ = scheme.scheme != "catmull-clark-solid" && scheme.scheme != "mlca";
         is_quad_ = scheme.scheme == "catmull-clark";
@@ -134,6 +142,14 @@ class FitCommand {
             throw UsageError("--scheme " + scheme.scheme +
                              ": lattices around a template are of hexahedra; use "
                              "catmull-clark-solid or mlca");
+        }
+        if (is_solid_ && !is_tet_oct_ && crease_degrees_ > 0) {
+            if (options_.creases > 0) {
+                throw UsageError("--creases is for cages and lattices of tets; --scheme " + scheme.scheme +
+                                 " makes one of hexahedra");
+            }
+            session_.Note(options_.input +
+                          ": has sharp edges; hexahedra round them off (--scheme box-spline does not)");
         }
         choice_ = MakeScheme(scheme, MeshKind{has_cells, has_cells ? is_tet_oct_ : !is_quad_});
         json_["settings"] = {{"model", is_lattice_ ? "lattice"
@@ -198,6 +214,7 @@ class FitCommand {
         const Fit::StartOptions how{.n_control = n_control,
                                     .tets = is_solid_ && is_tet_oct_,
                                     .quads = is_quad_,
+                                    .creases = is_tet_oct_ ? crease_degrees_ : 0,
                                     .progress = session_.progress()};
         Fit::StartReport report;
         constexpr int kTried = 12;
@@ -210,17 +227,15 @@ class FitCommand {
                           std::to_string(report.target_components) + " and " + std::to_string(report.target_euler) +
                           ": parts are too thin for so few control points; try more (--control)");
         }
-        Index n_creases = 0;
         if (!is_solid_) {
-            const double degrees = options_.creases >= 0 ? options_.creases : Fit::SharpAngle(target_.Surface());
-            if (degrees > 0) n_creases = Fit::MarkCreases(mesh_, target_.Surface(), {.degrees = degrees});
+            if (crease_degrees_ > 0) Fit::MarkCreases(mesh_, target_.Surface(), {.degrees = crease_degrees_});
             problem_ =
                 Fit::MakeProblem(mesh_, choice_->scheme, target_.Surface(), kRate, kFineRate, options_.fit.normals > 0);
         }
         json_["control"] = {{"points", mesh_.n_vertices()},
                             {"cells", (mesh_.tets.size() / 4) + (mesh_.octs.size() / 6) + (mesh_.hexes.size() / 8)},
                             {"faces", (mesh_.triangles.size() / 3) + (mesh_.quads.size() / 4)},
-                            {"creases", n_creases},
+                            {"creases", mesh_.crease_sharpness.size()},
                             {"components", report.n_components},
                             {"euler_characteristic", report.euler},
                             {"has_target_topology", report.has_target_topology}};
@@ -228,6 +243,11 @@ class FitCommand {
 
     void Solve() {
         session_.Stage("fit");
+        if (is_solid_ && is_tet_oct_) {  // the fit refines cells as they are ordered
+            Far::DiagonalChoice diagonals = Far::ChooseDiagonals(mesh_.View(), choice_->diagonals, mesh_.positions);
+            mesh_.tets = std::move(diagonals.tets);
+            mesh_.octs = std::move(diagonals.octs);
+        }
         Fit::Options how = options_.fit;
         how.progress = session_.progress();
         if (is_solid_) {
@@ -235,6 +255,8 @@ class FitCommand {
             problem_ = std::move(fit.problem);
             result_ = std::move(fit.result);
             json_["fits"] = fit.n_fits;
+            n_folded_ = fit.n_folded;
+            fold_level_ = fit.level;
         } else {
             result_ = Fit::FitControlPoints(problem_, how);
         }
@@ -248,6 +270,10 @@ class FitCommand {
             session_.Note(options_.input + ": " +
                           Counted(result_.n_folded, "corner of a cell is", "corners of cells are") +
                           " folded; try --fairness 0.01 or more control points");
+        } else if (n_folded_ > 0) {
+            session_.Note(options_.input + ": " + Counted(n_folded_, "refined cell is", "refined cells are") +
+                          " folded at level " + std::to_string(fold_level_) +
+                          "; try --fairness 0.001 or another number of control points");
         }
     }
 
@@ -287,6 +313,7 @@ class FitCommand {
     RefinementSettings SettingsAt(int levels, bool limit) const {
         RefinementSettings settings;
         settings.choice = *choice_;
+        settings.choice.diagonals = Far::DiagonalPolicy::First;  // as they were fitted
         settings.split = mesh_.hexes.empty() ? Sdc::Split::TetOct : Sdc::Split::Polyhedral;
         settings.levels = levels;
         settings.limit = limit;
@@ -348,6 +375,9 @@ class FitCommand {
     std::vector<Index> template_triangles_;
     Fit::ControlMesh start_;
     bool is_tet_oct_ = false, is_quad_ = false;
+    double crease_degrees_ = 0;  // 0: none
+    Offset n_folded_ = 0;        // of a solid's refined cells,
+    int fold_level_ = 0;         // at this level
     std::optional<SchemeChoice> choice_;
     Fit::ControlMesh mesh_;
     Fit::Problem problem_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <solidsubdiv/apps/fit/cloud.h>
+#include <solidsubdiv/apps/fit/cut_creases.h>
 #include <solidsubdiv/apps/fit/internal/start/block_meshes.h>
 #include <solidsubdiv/apps/fit/internal/start/block_search.h>
 #include <solidsubdiv/apps/fit/internal/start/decimation.h>
@@ -63,6 +64,7 @@ std::vector<Candidate> MakeBlockStarts(const TargetShape& shape, BlockMeshKind k
     const std::vector<double> points = grid.SurfacePoints(kSurfacePoints);
     const std::vector<Blocks> found =
         FindBlocks(grid, target, points, {options.n_control, count, topology}, kMostTried, options.progress);
+    const TargetSurface surface{.positions = shape.positions, .triangles = shape.triangles};
     std::vector<Candidate> candidates(found.size());
     Sdc::ParallelFor(static_cast<Offset>(found.size()), 1, [&](Offset begin, Offset end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -77,6 +79,8 @@ std::vector<Candidate> MakeBlockStarts(const TargetShape& shape, BlockMeshKind k
             report.has_target_topology = has == topology;
             candidate.distance = DistanceBetween(m.mesh.positions, m.boundary, m.n_corners, target, points);
             candidate.mesh = std::move(m.mesh);
+            if (options.creases > 0 && kind == BlockMeshKind::Tets)
+                CutCreases(candidate.mesh, surface, options.creases);
         }
     });
     std::size_t best = 0;
@@ -91,6 +95,22 @@ std::vector<Candidate> MakeBlockStarts(const TargetShape& shape, BlockMeshKind k
         return std::pair(a.report.n_folded, a.distance) < std::pair(b.report.n_folded, b.distance);
     });
     return candidates;
+}
+
+/// Cuts add control points, how many shows when they are made. Handles of the target count more than their number.
+std::vector<Candidate> MakeCutStarts(const TargetShape& shape, const StartOptions& options, const StartReport& made) {
+    constexpr double kUsual = 0.75, kTooMany = 1.35;
+    const auto make = [&](double n_before) {
+        StartOptions fewer = options;
+        fewer.n_control = std::max(Index{8}, static_cast<Index>(n_before));
+        return MakeBlockStarts(shape, BlockMeshKind::Tets, fewer, made);
+    };
+    std::vector<Candidate> candidates = make(kUsual * options.n_control);
+    const double ratio = static_cast<double>(candidates.front().mesh.n_vertices()) / options.n_control;
+    const bool has_topology = candidates.front().report.has_target_topology;
+    if (has_topology && ratio <= kTooMany) return candidates;
+    std::vector<Candidate> others = make(has_topology ? kUsual * options.n_control / ratio : options.n_control);
+    return others.front().report.has_target_topology ? others : candidates;
 }
 
 ControlMesh MakeBlockStart(const TargetShape& shape, BlockMeshKind kind, const StartOptions& options,
@@ -156,6 +176,9 @@ void StartOptions::Validate() const {
     if (n_control < 8 || n_control > 100000) {
         throw InvalidInput("n_control is " + std::to_string(n_control) + "; must be in [8, 100000]");
     }
+    if (!(creases >= 0 && creases < 180)) {
+        throw InvalidInput("creases is " + std::to_string(creases) + " degrees; it must be from 0 to below 180");
+    }
 }
 
 bool LooksInwards(const TargetSurface& target) { return TargetShape(target).was_turned; }
@@ -171,8 +194,10 @@ std::vector<ControlMesh> MakeSolidStarts(const TargetSurface& target, const Star
                                reports);
     }
     RequireClosed(shape);
-    std::vector<Candidate> candidates =
-        MakeBlockStarts(shape, options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes, options, ReportOn(shape));
+    const auto kind = options.tets ? BlockMeshKind::Tets : BlockMeshKind::Hexes;
+    std::vector<Candidate> candidates = options.tets && options.creases > 0
+                                            ? MakeCutStarts(shape, options, ReportOn(shape))
+                                            : MakeBlockStarts(shape, kind, options, ReportOn(shape));
     std::vector<ControlMesh> starts;
     if (reports) reports->clear();
     for (Candidate& candidate : candidates) {

@@ -32,6 +32,7 @@ struct StartOptions {
     Index n_control = 300;  ///< [8, 100000]: about as many control points
     bool tets = false;      ///< of solids: tets and octahedra, not hexahedra
     bool quads = false;     ///< of cages: quadrilaterals, not triangles
+    double creases = 0;  ///< [0, 180), of tets: edges of the target that bend by more degrees become creases; 0: none
     Progress progress{};
 
     /// @throws InvalidInput

@@ -139,6 +139,34 @@ TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
     EXPECT_EQ(creases.edge_sharpness.size(), with["control"]["creases"]);
 }
 
+TEST_F(CliFit, SolidsWithSharpEdgesAreOfTetsWithCreases) {
+    SOLIDSUBDIV_LONG_TEST();
+    WriteText("cube.obj", Cube(8));
+    const auto json = Json("fit cube.obj -o out --control 120 --no-pictures");
+    EXPECT_EQ(json["settings"]["scheme"], "box-spline");
+    EXPECT_GE(json["control"]["creases"], 12);
+    EXPECT_EQ(json["solid"]["folded"], 0);
+    for (const char* way : {"surface_to_target", "target_to_surface"}) {
+        EXPECT_LT(json["fit"][way]["max_percent"], 0.5) << way;
+    }
+    const Io::Mesh lattice = Io::ReadMesh(folder / "out/lattice.vtu");
+    EXPECT_GT(lattice.topology.n_tets(), 0);
+    EXPECT_EQ(Io::CreasesOf(lattice).edge_sharpness.size(), json["control"]["creases"]);
+    // Refined again, with the diagonals of the fit, it is the same solid.
+    MustRun("refine out/lattice.vtu -o again.vtu --scheme box-spline --diagonals first --levels 3 --limit");
+    const Io::Mesh again = Io::ReadMesh(folder / "again.vtu"), solid = Io::ReadMesh(folder / "out/solid.vtu");
+    ASSERT_EQ(again.positions.size(), solid.positions.size());
+    for (std::size_t i = 0; i < solid.positions.size(); ++i) {
+        ASSERT_NEAR(again.positions[i], solid.positions[i], 1e-9) << i;
+    }
+    // Hexahedra where they are asked for, with a word, and none where creases are asked for as well.
+    const std::string hexes = "fit cube.obj -o hexes --scheme catmull-clark-solid --control 60 --no-pictures";
+    EXPECT_THAT(MustRun(hexes).err, HasSubstr("hexahedra round them off"));
+    const Outcome refused = Run(hexes + " --creases 40");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--creases is for cages and lattices of tets"));
+}
+
 TEST_F(CliFit, OpenTargetsGetACageWithAWord_OrASolidWhereAsked) {
     SOLIDSUBDIV_LONG_TEST();
     // Without the faces around one pole.

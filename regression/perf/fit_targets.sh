@@ -41,6 +41,9 @@ row "part (genus 1), creases" "$data/committable/netgen_part1.stl" --model surfa
 row "hinge (genus 5), creases" "$data/committable/netgen_hinge.stl" --model surface --control 400
 row "bracket (genus 2), creases" "$data/committable/occt_sh1.stl" --model surface --control 400
 row "mechpart (genus 3), creases" "$data/local/surfaces/hoppe_mechpart.recon.obj" --model surface --control 400
+row "part, creases" "$data/committable/netgen_part1.stl" --control 400
+row "hinge, creases" "$data/committable/netgen_hinge.stl" --control 400
+row "mechpart, creases" "$data/local/surfaces/hoppe_mechpart.recon.obj" --control 400
 row "caudate nucleus, label 1" "$data/committable/derived_aal_caudate_crop.nii.gz" --label 1 --control 200
 if [[ -e $data/local/surfaces/ode_human_woman.obj ]]; then
     python3 "$here/cut_head.py" "$data/local/surfaces/ode_human_woman.obj" "$work/head.obj"

@@ -10,23 +10,9 @@
 #include <algorithm>
 
 #include "apps/fit/start_testing.h"
-#include "cube_surface.h"
 
 namespace SolidSubdiv::Fit {
 namespace {
-
-/// The unit cube, each face of n x n squares cut in two.
-Surface Cube(int n, double size = 1) {
-    const CubeSurface of_quads(n);
-    Surface cube;
-    for (const auto& v : of_quads.vertices) {
-        for (int c : v) cube.positions.push_back(size * c / n);
-    }
-    for (const auto& q : of_quads.quads) {
-        cube.triangles.insert(cube.triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
-    }
-    return cube;
-}
 
 TEST(SharpEdges, OfACubeAreItsTwelveInAnyUnit) {
     for (double size : {1e-9, 1.0, 1e9}) {

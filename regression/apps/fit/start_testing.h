@@ -14,8 +14,22 @@
 
 #include "apps/deform/sphere_testing.h"
 #include "apps/fit/surface_testing.h"
+#include "cube_surface.h"
 
 namespace SolidSubdiv::Fit {
+
+/// The unit cube, each face of n x n squares cut in two.
+inline Surface Cube(int n, double size = 1) {
+    const CubeSurface of_quads(n);
+    Surface cube;
+    for (const auto& v : of_quads.vertices) {
+        for (int c : v) cube.positions.push_back(size * c / n);
+    }
+    for (const auto& q : of_quads.quads) {
+        cube.triangles.insert(cube.triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+    }
+    return cube;
+}
 
 inline Surface SphereAt(const std::array<double, 3>& center, double radius) {
     const TestShapes::Sphere sphere(12, radius, center);

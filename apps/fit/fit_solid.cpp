@@ -28,7 +28,8 @@ std::vector<Index> FoldedCells(const ControlMesh& mesh, const Sdc::Scheme& schem
 SolidFit FitSolid(const ControlMesh& start, const Sdc::Scheme& scheme, const TargetSurface& target,
                   const Options& options, int rate, int fine_rate) {
     if (!start.is_solid()) throw InvalidInput("fit: there are no cells to keep from folding");
-    constexpr int kMostFits = 12, kMostInVain = 4;
+    constexpr int kMostFits = 12, kMostInVain = 4, kFew = 3;
+    constexpr double kMany = 0.005;  // of the cells: after so few fits they won't unfold, and each fit takes long
     SolidFit fit{.problem = MakeProblem(start, scheme, target, rate, fine_rate, options.normals > 0), .result = {}};
     fit.level = FoldLevelOf(start);
     const Internal::RefinedCells cells(start, scheme, fit.level);
@@ -48,6 +49,7 @@ SolidFit FitSolid(const ControlMesh& start, const Sdc::Scheme& scheme, const Tar
         }
         fit.n_fits = i + 1;
         if (n_folded == 0 || is_cancelled || i - best >= kMostInVain) break;
+        if (fit.n_fits >= kFew && static_cast<double>(n_folded) > kMany * static_cast<double>(cells.n_cells())) break;
         const std::size_t n_before = kept.size();
         kept.insert(folded.begin(), folded.end());
         if (kept.size() == n_before) {

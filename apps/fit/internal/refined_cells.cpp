@@ -42,6 +42,12 @@ RefinedCells::RefinedCells(const ControlMesh& mesh, const Sdc::Scheme& scheme, i
       levels_(Far::StencilTable::Create(refiner_, scheme)),
       limits_(Geometry::LimitsOfVertices(refiner_, scheme, level).rows) {}
 
+Offset RefinedCells::n_cells() const {
+    if (refiner_.is_polyhedral()) return refiner_.polyhedral_level(level_).n_cells();
+    const Vtr::Level& level = refiner_.level(level_);
+    return Offset{level.n_tets} + level.n_octs;
+}
+
 std::vector<Index> RefinedCells::FindFolded(std::span<const double> control) const {
     std::vector<double> positions(control.begin(), control.end());
     Osd::Evaluator refine(levels_, Osd::Backend::Best());

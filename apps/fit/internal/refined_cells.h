@@ -20,6 +20,7 @@ class RefinedCells {
     /// @throws InvalidInput where the scheme can't refine the mesh
     RefinedCells(const ControlMesh& mesh, const Sdc::Scheme& scheme, int level);
 
+    Offset n_cells() const;
     /// Numbers of cells of the level that are folded: hexahedra; or tets, then octahedra.
     std::vector<Index> FindFolded(std::span<const double> control) const;
 

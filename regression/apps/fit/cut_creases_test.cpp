@@ -16,6 +16,7 @@
 #include <map>
 #include <set>
 
+#include "apps/fit/fit_testing.h"
 #include "apps/fit/start_testing.h"
 #include "sanitized.h"
 
@@ -75,6 +76,7 @@ int CountFlat(const ControlMesh& mesh) {
 }
 
 TEST(CutCreases, ACubeGetsItsTwelveEdgesAndEightCorners) {
+    SOLIDSUBDIV_LONG_TEST();
     for (double size : {1e-9, 1.0, 1e9}) {
         const Surface cube = Cube(6, size);
         const ControlMesh mesh = TetsIn(cube, 50);
@@ -123,6 +125,7 @@ TEST(CutCreases, CellsStayPositiveAndNoneIsFlatOnASmoothBoundary) {
 }
 
 TEST(CutCreases, ATargetWithoutSharpEdgesGetsNone) {
+    SOLIDSUBDIV_LONG_TEST();
     const Surface ball = SphereAt({1, 2, 3}, 2);
     ControlMesh mesh = TetsIn(ball, 0);
     const double volume = VolumeOf(mesh);
@@ -149,11 +152,11 @@ TEST(CutCreases, EdgesNarrowerThanTheLatticeStillEnd) {
 
 TEST(CutCreases, WhatCantBeCutIsRefused) {
     const Surface cube = Cube(4);
-    ControlMesh hexes = MakeSolidStart(cube.View(), {.n_control = 100});
+    ControlMesh hexes = BulgedHexes(2);
     EXPECT_THROW(CutCreases(hexes, cube.View(), 50), InvalidInput);
     ControlMesh nothing;
     EXPECT_THROW(CutCreases(nothing, cube.View(), 50), InvalidInput);
-    ControlMesh tets = TetsIn(cube, 0);
+    ControlMesh tets = BulgedTets(2);
     for (double degrees : {-1.0, 180.0, std::nan("")}) {
         EXPECT_THROW(CutCreases(tets, cube.View(), degrees), InvalidInput) << degrees;
         EXPECT_THROW(TetsIn(cube, degrees), InvalidInput) << degrees;

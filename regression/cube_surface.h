@@ -4,6 +4,8 @@
 
 #include <array>
 #include <map>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <solidsubdiv/sdc/types.h>
@@ -40,5 +42,16 @@ struct CubeSurface {
         }
     }
 };
+
+/// The same as the text of an OBJ file.
+inline std::string CubeObj(int n) {
+    const CubeSurface cube(n);
+    std::ostringstream text;
+    for (const auto& v : cube.vertices) text << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
+    for (const auto& q : cube.quads) {
+        text << "f " << q[0] + 1 << " " << q[1] + 1 << " " << q[2] + 1 << " " << q[3] + 1 << "\n";
+    }
+    return text.str();
+}
 
 }  // namespace SolidSubdiv

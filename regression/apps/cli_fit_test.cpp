@@ -37,17 +37,6 @@ std::string Ball(int n) {
     return text.str();
 }
 
-/// A cube of n x n quads a side.
-std::string Cube(int n) {
-    const CubeSurface cube(n);
-    std::ostringstream text;
-    for (const auto& v : cube.vertices) text << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
-    for (const auto& q : cube.quads) {
-        text << "f " << q[0] + 1 << " " << q[1] + 1 << " " << q[2] + 1 << " " << q[3] + 1 << "\n";
-    }
-    return text.str();
-}
-
 class CliFit : public CliTest {
   protected:
     void SetUp() override {
@@ -126,7 +115,7 @@ TEST_F(CliFit, MoreControlPointsAreTakenUntilATolerance) {
 
 TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
     SOLIDSUBDIV_LONG_TEST();
-    WriteText("cube.obj", Cube(8));
+    WriteText("cube.obj", CubeObj(8));
     const auto with = Json("fit cube.obj -o with --model surface --control 50 --no-pictures");
     const auto without = Json("fit cube.obj -o without --model surface --control 50 --creases 0 --no-pictures");
     EXPECT_GE(with["control"]["creases"], 12);
@@ -141,7 +130,7 @@ TEST_F(CliFit, SharpEdgesOfPartsBecomeCreases) {
 
 TEST_F(CliFit, SolidsWithSharpEdgesAreOfTetsWithCreases) {
     SOLIDSUBDIV_LONG_TEST();
-    WriteText("cube.obj", Cube(8));
+    WriteText("cube.obj", CubeObj(8));
     const auto json = Json("fit cube.obj -o out --control 120 --no-pictures");
     EXPECT_EQ(json["settings"]["scheme"], "box-spline");
     EXPECT_GE(json["control"]["creases"], 12);

@@ -65,13 +65,7 @@ TEST_F(CliUsage, EveryHelpHasAnExampleAndEveryExampleRuns) {
         scan << r * std::cos(2.4 * i) << " " << r * std::sin(2.4 * i) << " " << z << "\n";
     }
     WriteText("scan.xyz", scan.str());
-    std::ostringstream part;  // a cube
-    const CubeSurface cube(8);
-    for (const auto& v : cube.vertices) part << "v " << v[0] << " " << v[1] << " " << v[2] << "\n";
-    for (const auto& q : cube.quads) {
-        part << "f " << q[0] + 1 << " " << q[1] + 1 << " " << q[2] + 1 << " " << q[3] + 1 << "\n";
-    }
-    WriteText("part.obj", part.str());
+    WriteText("part.obj", CubeObj(8));
     for (const std::string moved : {"moved", "walk1", "walk2", "walk3"}) {
         MustRun("lattice bunny.obj -o " + moved + ".vtu --levels 1");
     }
